@@ -30,6 +30,7 @@ def application(secret: str, channels: dict) -> Application:
             ),
             (f'/{secret}/viewer.css', FileHandler, {'path': view_pages.WEB / 'viewer.css', 'kind': 'text/css'}),
             (f'/{secret}/([0-9]+)/', PageHandler, {'channels': channels}),
+            (f'/{secret}/([0-9]+)/picture', PictureHandler, {'channels': channels}),
             (f'/{secret}/([0-9]+)/socket', BrowserHandler, {'channels': channels}),
         ],
         websocket_ping_interval=_PING,
@@ -61,6 +62,21 @@ class PageHandler(RequestHandler):
             return
         self.set_header('Cache-Control', 'no-cache')
         self.write(view_pages.page())
+
+
+class PictureHandler(RequestHandler):
+    """What one view shows now, as an SVG, for a browser without WebGL."""
+
+    def initialize(self, channels: dict) -> None:
+        self.channels = channels
+
+    def get(self, name: str) -> None:
+        if name not in self.channels:
+            self.send_error(404)
+            return
+        self.set_header('Content-Type', 'image/svg+xml; charset=utf-8')
+        self.set_header('Cache-Control', 'no-store')
+        self.write(self.channels[name].picture())
 
 
 class PingHandler(RequestHandler):

@@ -1,4 +1,4 @@
-"""The live renderer: a scene in meshcat's viewer, in the output of a cell.
+"""The live renderer: a scene in meshcat's viewer, in the output of a cell; flat pictures where there is no WebGL.
 
 One message for each update carries everything that has changed: a little JSON, and all numbers as one block of binary
 data. What it says is in `encode`, who reads it in ``web/nodes.js``. Without a browser nothing is encoded.
@@ -27,15 +27,18 @@ class LiveRenderer:
     :param scene: what to show; no other code may take its changes.
     :param state: returns what the page shows beside the scene (see `tf_view`), fit for JSON.
     :param on_message: called with what the page's controls say, a dict, in the server's thread.
+    :param picture: returns the scene as an SVG, for browsers without WebGL; called in the server's thread.
     :raises OSError: no port can be had.
     """
 
-    def __init__(self, scene: Scene, state: Callable[[], dict], on_message: Callable[[dict], None]):
+    def __init__(
+        self, scene: Scene, state: Callable[[], dict], on_message: Callable[[dict], None], picture: Callable[[], str]
+    ):
         self._scene, self._state = scene, state
         self._shown: dict | None = None
         self._sent = 0  # updates so far
         self._order = threading.Lock()  # between an update and the whole for a new page
-        self._channel = view_server.open_channel(self._everything, on_message)
+        self._channel = view_server.open_channel(self._everything, on_message, picture)
 
     @property
     def address(self) -> str:

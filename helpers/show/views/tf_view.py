@@ -348,7 +348,7 @@ class TfView:
             self._recording = Recording(self.scene, self._state)
             return
         try:
-            self._live = LiveRenderer(self.scene, self._state, self._on_message)
+            self._live = LiveRenderer(self.scene, self._state, self._on_message, lambda: self.picture().svg)
         except OSError:  # no port: the picture remains
             self._live = None
 

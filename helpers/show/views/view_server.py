@@ -29,10 +29,16 @@ class ViewerChannel:
     :param everything: returns the message that brings an empty page up to date, and the number of the latest message
         that it includes; called in the server's thread.
     :param on_message: called in the server's thread with what a page sent, a dict.
+    :param picture: returns what the view shows as an SVG; called in the server's thread.
     """
 
-    def __init__(self, everything: Callable[[], tuple[bytes, int]], on_message: Callable[[dict], None]):
-        self.everything, self.on_message = everything, on_message
+    def __init__(
+        self,
+        everything: Callable[[], tuple[bytes, int]],
+        on_message: Callable[[dict], None],
+        picture: Callable[[], str],
+    ):
+        self.everything, self.on_message, self.picture = everything, on_message, picture
         self.name = str(next(_numbers))
         self.sockets: set = set()
         self._server = None
@@ -77,13 +83,15 @@ class ViewerChannel:
             socket.offer(message, number)
 
 
-def open_channel(everything: Callable[[], tuple[bytes, int]], on_message: Callable[[dict], None]) -> ViewerChannel:
-    """Open a channel, and the server's port with the first one.
+def open_channel(
+    everything: Callable[[], tuple[bytes, int]], on_message: Callable[[dict], None], picture: Callable[[], str]
+) -> ViewerChannel:
+    """Open a channel (see `ViewerChannel`), and the server's port with the first one.
 
     :raises OSError: no port can be had.
     """
     global _running
-    channel = ViewerChannel(everything, on_message)
+    channel = ViewerChannel(everything, on_message, picture)
     with _lock:
         if _running is None:
             _running = _Server()

@@ -1,6 +1,7 @@
 // The scene of helpers/show/views/scene.py: nodes by id and path. The messages that change them: helpers/show/views/live_view.py.
 'use strict';
 
+import {read} from './message.js';
 import {build, dispose, renew, setOpacity} from './shapes.js';
 
 const THREE = MeshCat.THREE;
@@ -68,10 +69,9 @@ export function placeOf(path) {
   return root.worldToLocal(new THREE.Vector3().setFromMatrixPosition(target.matrixWorld));
 }
 
-// One message: uint32 length of the JSON, the JSON, the binary block. Returns the JSON.
+// Brings the nodes up to date with one message. Returns its JSON.
 export function take(buffer) {
-  const length = new DataView(buffer).getUint32(0, true), start = 4 + length;
-  const message = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
+  const [message, start] = read(buffer);
   const floats = ([offset, count]) => new Float32Array(buffer.slice(start + offset, start + offset + 4 * count));
   const integers = ([offset, count]) => new Uint32Array(buffer.slice(start + offset, start + offset + 4 * count));
   if (message.reset) for (const child of [...root.children]) remove(child.userData.id);

@@ -1,7 +1,8 @@
 // The page of a recorded view: see helpers/show/views/recording.py.
 'use strict';
 
-import {at, show} from './stage.js';
+import {at} from './page.js';
+import {show} from './stage.js';
 
 const play = at('play'), slider = at('slider'), when = at('when');
 let messages = [], length = 0;  // [{time, buffer}]; s

@@ -4,9 +4,14 @@
 import {Look} from './camera.js';
 import {drawNames} from './names.js';
 import {take} from './nodes.js';
+import {at, webgl} from './page.js';
 import {curtain, resolution} from './shapes.js';
 
-export const at = (name) => document.getElementById(name);
+if (!webgl) {
+  document.body.classList.add('flat');
+  at('bottom').hidden = true;
+  throw new Error('no WebGL');
+}
 const viewer = new MeshCat.Viewer(at('pane'));
 for (const path of [['Grid'], ['Axes'], ['Background']]) viewer.set_property(path, 'visible', false);
 viewer.gui.domElement.style.display = 'none';

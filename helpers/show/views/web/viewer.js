@@ -1,7 +1,10 @@
-// The page of one view: meshcat's viewer (three.js, camera, lights), fed by the kernel, with a few controls.
+// The page of one view: meshcat's viewer (three.js, camera, lights), fed by the kernel, with a few controls. Where the
+// browser has no WebGL, pictures that the kernel draws.
 'use strict';
 
-import {at, drawn, show} from './stage.js';
+import {at, webgl} from './page.js';
+
+const {drawn, show} = await import(webgl ? './stage.js' : './flat.js');
 
 let undrawn = 0;
 drawn.push(() => {

@@ -5,6 +5,8 @@ import json
 import socket
 import struct
 import threading
+from urllib.error import HTTPError
+from urllib.request import urlopen
 
 import numpy as np
 import pytest
@@ -42,7 +44,7 @@ def stage():
         heard.set()
 
     def make():
-        renderer = LiveRenderer(scene, lambda: {'problems': []}, take)
+        renderer = LiveRenderer(scene, lambda: {'problems': []}, take, lambda: f'<svg>{len(scene.items())}</svg>')
         open_ones.append(renderer)
         return renderer
 
@@ -95,6 +97,21 @@ def test_a_browser_gets_everything_then_the_changes_and_can_answer(stage):
         assert await connection.read_message() is None and connection.close_code == 4000
 
     asyncio.run(asyncio.wait_for(watch(), 60))
+
+
+def test_a_browser_without_webgl_gets_pictures(stage):
+    scene, _, _, make = stage
+    renderer, other = make(), make()  # the other one keeps the port open
+    address = f'{renderer.address}picture?1'
+    for count in (0, 1):
+        with urlopen(address, timeout=60) as answer:
+            assert answer.headers['Content-Type'].startswith('image/svg+xml')
+            assert answer.read().decode() == f'<svg>{count}</svg>'
+        scene.set('a', Label('first'))
+    renderer.close()
+    with pytest.raises(HTTPError, match='404'):
+        urlopen(address, timeout=60)
+    assert other.address
 
 
 def test_a_slow_browser_gets_no_more_than_it_can_draw_and_misses_nothing(stage):
