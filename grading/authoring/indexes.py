@@ -37,7 +37,7 @@ def _glossary(book: Book) -> str:
             said.append(f'First in [section {place.number}]({place.address}).')
         if term.link:
             said.append(f'More: [docs.ros.org]({term.link}).')
-        entries.append(f'### {name}\n\n{" ".join(said)}\n')
+        entries.append(f'## {name}\n\n{" ".join(said)}\n')
     if not entries:
         return ''
     head = '# Glossary\n\nThe words of this course, from A to Z, each with the section that uses it first.\n'

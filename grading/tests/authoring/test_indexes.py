@@ -58,8 +58,8 @@ def test_the_pages_are_built_and_kept_in_step(marked):
     start = '[section 7.1](07_tiny.ipynb#heading=7.1-A-start)'
     words, symptoms = marked.notebooks / 'GLOSSARY.md', marked.notebooks / 'SYMPTOMS.md'
     assert words.read_text().endswith(
-        f'### callback group\n\nA set of callbacks. First in {start}.\n\n'
-        f'### node\n\nA member of the graph. First in {start}.'
+        f'## callback group\n\nA set of callbacks. First in {start}.\n\n'
+        f'## node\n\nA member of the graph. First in {start}.'
         ' More: [docs.ros.org](https://docs.ros.org/nodes).\n'
     )
     wrong = '[7.2](07_tiny.ipynb#heading=7.2-When-it-goes-wrong)'
