@@ -124,7 +124,7 @@ def table(exercises: Iterable[Exercise], checks: Path, folder: Path = variants.F
 
 def marks(exercise: Exercise, checks: Path, folder: Path = variants.FOLDER) -> tuple[Marks, Marks]:
     """The marks of an exercise's visible and of its hidden tests; the folders as in `table`."""
-    visible = checks / f'chapter_{exercise.chapter:02}' / f'test_{exercise.id.replace(".", "_")}.py'
+    visible = manifest.visible_tests(checks, exercise.id)
     return read(visible), read(manifest.hidden_tests(folder, exercise.id))
 
 

@@ -36,7 +36,9 @@ def check(
     own = notebooks_folder.resolve() == paths.NOTEBOOKS
     seeds = progress_file.seeds(exercise.id for exercise in chosen) if own else {}
     launcher = session.Options.launcher if own else _launcher(notebooks_folder)
-    options = session.Options(processes=2, seeds=seeds, launcher=launcher, folder=notebooks_folder)
+    options = session.Options(
+        processes=2, side_by_side=session.SIDE_BY_SIDE, seeds=seeds, launcher=launcher, folder=notebooks_folder
+    )
     console = Console(highlight=False, soft_wrap=True)
     with counted(console, 'visible tests') as say:
         report = session.run(cells, chosen, options, say)

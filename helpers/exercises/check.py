@@ -73,7 +73,11 @@ def run_tests(exercise_id: str):
         return session.SessionReport([results.without_tests(exercise, 'invalid_submission', _not_run(exercise))])
     # Until it passes, a check shows the same values.
     return session.run(
-        cells, [exercise], session.Options(seeds=progress_file.seeds([exercise.id]), notebook=_saved(exercise))
+        cells,
+        [exercise],
+        session.Options(
+            seeds=progress_file.seeds([exercise.id]), notebook=_saved(exercise), side_by_side=session.SIDE_BY_SIDE
+        ),
     )
 
 

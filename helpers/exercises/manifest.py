@@ -71,6 +71,12 @@ def tested_in(path: Path) -> str | None:
     return (found[1] or found[2]).replace('_', '.') if found else None
 
 
+def visible_tests(folder: Path, exercise: str) -> Path:
+    """Return where the visible tests of `exercise`, such as '3.1', are; `folder` holds the chapters' folders."""
+    chapter = int(exercise.partition('.')[0])
+    return folder / f'chapter_{chapter:02}' / f'test_{exercise.replace(".", "_")}.py'
+
+
 def hidden_tests(folder: Path, exercise: str) -> Path:
     """Return where the hidden tests of `exercise`, such as '3.1', are; `folder` holds the exercises' folders."""
     return folder / exercise.replace('.', '_') / 'hidden.py'

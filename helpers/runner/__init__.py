@@ -2,7 +2,7 @@
 
 The tests and the learner's code live in two processes that meet only over DDS and a JSON channel:
 
-    session            starts both and collects the results (`check`, `./course check`, `./course grade`)
+    session            starts both, or several pairs, and collects the results (`check`, `./course check`, `grade`)
     tester, plugin     the tests' process: pytest, with the `learner` fixture, verdicts instead of tracebacks
     fork_server        the learner's side: forks a worker per program
     worker             a process with the learner's program

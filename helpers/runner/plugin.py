@@ -42,16 +42,19 @@ class Plugin:
         seed: str,
         seeds: dict[str, str],
         limit: float = 0.0,
+        share: tuple[int, int] = (0, 1),
     ):
         """`programs` by exercise id; tests of other exercises are left out. `only`: the ids of the tests to run.
 
         `named`: for an exercise, the names of the tests that count; its others are as if they were not there.
         `seed`: what the tests draw is derived from it; from `seeds[exercise]` where there is one.
         `limit`: seconds of wall time for one test, all that it waits for included; longer on a busy machine.
+        `share`: first and step: which of the tests are there for this run, if another one has the others.
         """
         self.programs, self.server, self.domain_id = programs, server, domain_id
         self.report, self.only, self.named, self.seed, self.seeds = report, only, named or {}, seed, seeds
         self._limits, self._limit = server.limits, limit
+        self._first, self._every = share
         self._stuck: set[str] = set()  # exercises of which a test has met a timeout
 
     def pytest_configure(self, config):
@@ -70,12 +73,8 @@ class Plugin:
     def pytest_collection_modifyitems(self, items):
         """Tell which tests there are, and keep those that are to run now."""
         kept = []
-        for item in items:
-            exercise = _exercise(item)
-            named = self.named.get(exercise, [item.name])
-            if exercise not in self.programs or not {item.name, item.originalname} & set(named):
-                continue
-            test = test_id(item)
+        for item in [item for item in items if self._counts(item)][self._first :: self._every]:
+            exercise, test = _exercise(item), test_id(item)
             self.report(
                 {
                     'event': 'collected',
@@ -93,6 +92,14 @@ class Plugin:
             if self.only is None or test in self.only:
                 kept.append(item)
         items[:] = kept
+
+    def _counts(self, item) -> bool:
+        """Whether it is a test of one of the exercises, and one of those that count."""
+        exercise = _exercise(item)
+        if exercise not in self.programs:
+            return False
+        named = self.named.get(exercise, [item.name])
+        return bool({item.name, item.originalname} & set(named))
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_make_collect_report(self, collector):

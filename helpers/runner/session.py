@@ -6,6 +6,7 @@
 import json
 import math
 import os
+import re
 import select
 import subprocess
 import time
@@ -13,6 +14,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
+from itertools import zip_longest
 from pathlib import Path
 
 from helpers.exercises import manifest, notebooks, packages, program
@@ -25,6 +27,7 @@ from helpers.runner.text import LEFT_OUT, MAX_OUTPUT, clean
 VISIBLE = Path(__file__).resolve().parents[1] / 'checks'
 TEST_TIMEOUT = 120.0  # seconds of wall time for one test; its own waits are shorter
 BUSY = 4  # so many times as long the tests' process may be silent: on a busy machine a test has more time
+SIDE_BY_SIDE = min(2, os.cpu_count() or 1)  # among so many processes a check shares out its tests
 _WAITING = 1  # processes more than are asked for: tests often wait, for programs in real time and for each other
 _LONG = (2, 7, 8)  # chapters whose exercises build packages and launch systems
 TOTAL_TIMEOUT = 1800.0  # seconds of wall time for all tests of a session
@@ -43,6 +46,7 @@ class Options:
     total_timeout: float = TOTAL_TIMEOUT
     retries: int = 1  # how often a test runs again after an error of the grader's
     processes: int = 1  # among how many processes of tests the exercises are shared out; several get _WAITING more
+    side_by_side: int = 1  # among how many the tests of an exercise that is alone, so that its learner waits less
     seed: str = ''  # what the tests draw is derived from it; a fresh one if empty
     seeds: Mapping[str, str] = field(default_factory=dict)  # exercise -> a seed of its own
     notebook: Sequence[notebooks.NotebookCell] = ()  # all cells, where only those that were run are judged
@@ -114,21 +118,23 @@ def judge(
     running = [exercise for exercise in exercises if exercise.id in programs]
     lanes = options.processes + _WAITING if options.processes > 1 else 1
     shares = _shares(running, lanes)
+    if len(running) == 1:
+        shares = _parts(running[0], options)
     deadline = time.monotonic() + options.total_timeout
     stop = stopping.Stop()
 
-    def collect(share: list[Exercise]) -> _Collection:
-        collection = _Collection(options, stop, deadline)
-        places = [options.visible / f'chapter_{chapter:02}' for chapter in sorted({one.chapter for one in share})]
+    def collect(share: _Share) -> _Collection:
+        collection = _Collection(options, stop, deadline, share)
+        places = [options.visible / f'chapter_{chapter:02}' for chapter in share.chapters]
         if options.hidden:
-            places += [manifest.hidden_tests(options.hidden, exercise.id) for exercise in share]
+            places += [manifest.hidden_tests(options.hidden, exercise.id) for exercise in share.exercises]
         collection.run(
-            {exercise.id: programs[exercise.id] for exercise in share},
+            {exercise.id: programs[exercise.id] for exercise in share.exercises},
             places := [place for place in places if place.exists()],
             say,
         )
         if options.reference is not None:
-            for exercise in share:
+            for exercise in share.exercises:
                 collection.compare(exercise, programs[exercise.id], options.reference, places, say)
         return collection
 
@@ -136,17 +142,18 @@ def judge(
         if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
             collections = [collect(share) for share in shares]
         else:
-            with ThreadPoolExecutor(lanes) as pool:
+            with ThreadPoolExecutor(max(lanes, options.side_by_side)) as pool:
                 try:
                     collections = list(pool.map(collect, shares))
                 except BaseException:  # Ctrl+C: the pool waits for its threads
                     stop.now()
                     raise
-    for share, collection in zip(shares, collections, strict=True):
-        for exercise in share:
-            found = results.scored(exercise, collection.of(exercise.id), collection.unseen[exercise.id])
-            found.message = clean('\n'.join(programs[exercise.id].get('notes', ())))
-            judged[exercise.id] = found
+    for exercise in running:
+        mine = [one for one in collections if exercise in one.share.exercises]
+        unseen = {rule: why for one in mine for rule, why in one.unseen[exercise.id].items()}
+        found = results.scored(exercise, _in_order([one.of(exercise.id) for one in mine]), unseen)
+        found.message = clean('\n'.join(programs[exercise.id].get('notes', ())))
+        judged[exercise.id] = found
     return SessionReport(
         [judged[exercise.id] for exercise in exercises],
         next((collection.sandbox for collection in collections), ''),
@@ -157,30 +164,66 @@ def judge(
     )
 
 
-def _shares(exercises: list[Exercise], lanes: int) -> list[list[Exercise]]:
+@dataclass(frozen=True)
+class _Share:
+    """What one process of tests judges: these exercises, and of their tests each `every`th one from `first` on."""
+
+    exercises: list[Exercise]
+    first: int = 0
+    every: int = 1
+
+    @property
+    def chapters(self) -> list[int]:
+        return sorted({exercise.chapter for exercise in self.exercises})
+
+
+def _shares(exercises: list[Exercise], lanes: int) -> list[_Share]:
     """The exercises by processes of tests: all together, or in parts of a chapter for so many lanes side by side.
 
     What builds and launches comes first, each exercise by itself, the longest ones of chapter 8 before the others: so
     no long part is left for the end.
     """
     if lanes <= 1 or len(exercises) <= lanes:
-        return [share for share in (exercises[k :: max(1, lanes)] for k in range(max(1, lanes))) if share]
-    long, shares = [], []
+        parts = (exercises[k :: max(1, lanes)] for k in range(max(1, lanes)))
+        return [_Share(part) for part in parts if part]
+    long: list[_Share] = []
+    shares: list[_Share] = []
     for chapter in dict.fromkeys(exercise.chapter for exercise in exercises):
         mine = [exercise for exercise in exercises if exercise.chapter == chapter]
         if chapter in _LONG:
-            long += [[exercise] for exercise in mine]
+            long += [_Share([exercise]) for exercise in mine]
         else:
-            shares += [share for share in (mine[k::lanes] for k in range(lanes)) if share]
+            shares += [_Share(part) for part in (mine[k::lanes] for k in range(lanes)) if part]
     return long[::-1] + shares
+
+
+def _parts(exercise: Exercise, options: Options) -> list[_Share]:
+    """The tests of one exercise, shared out: none of the parts may be without a test.
+
+    All together stay those of an answer that is a file or a package: what one test has built, the next one uses.
+    """
+    count = options.side_by_side
+    if options.hidden or exercise.folder or any(name.isupper() for name in exercise.names):
+        count = 1
+    if count > 1:
+        file = manifest.visible_tests(options.visible, exercise.id)
+        text = file.read_text(encoding='utf-8') if file.is_file() else ''
+        count = max(1, min(count, len(re.findall('^def test_', text, re.MULTILINE))))
+    return [_Share([exercise], first, count) for first in range(count)]
+
+
+def _in_order(parts: list[list[TestResult]]) -> list[TestResult]:
+    """Results of tests that were shared out one after the other, as they stand in their file."""
+    found = {test.test: test for row in zip_longest(*parts) for test in row if test is not None}
+    return list(found.values())  # a file that cannot be read is a fault in each part
 
 
 class _Collection:
     """The tests of one session and what became of them."""
 
-    def __init__(self, options: Options, stop: stopping.Stop, deadline: float = math.inf):
+    def __init__(self, options: Options, stop: stopping.Stop, deadline: float, share: _Share):
         """`deadline`: until when its tests may run, by the monotonic clock."""
-        self.options, self._stop, self._deadline = options, stop, deadline
+        self.options, self._stop, self._deadline, self.share = options, stop, deadline, share
         self.tests: dict[str, TestResult] = {}
         self.sandbox = ''
         self.log: list[str] = []
@@ -257,7 +300,7 @@ class _Collection:
         places: list[Path],
         say: Callable[[str], None],
     ) -> None:
-        other = _Collection(self.options, self._stop, self._deadline)
+        other = _Collection(self.options, self._stop, self._deadline, self.share)
         other._round({exercise: right}, places, [test.test], lambda name: None)
         if test.test in other.tests and other.tests[test.test].passed:
             self._round({exercise: program}, places, [test.test], say)
@@ -333,6 +376,7 @@ class _Collection:
             'named': {exercise: list(names) for exercise, names in self.options.tests.items()},
             'seeds': dict(self.options.seeds),
             'limit': self.options.test_timeout,
+            'share': [self.share.first, self.share.every],
         }
 
     def _collected(self, event: dict, seen: set[str]) -> None:

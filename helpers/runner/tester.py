@@ -87,6 +87,7 @@ def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
                 only,
                 job['named'],
                 limit=job['limit'],
+                share=tuple(job['share']),
                 seed=job['seed'],
                 seeds=job['seeds'],
             )

@@ -45,6 +45,64 @@ def test_visible_and_hidden(tmp_path):
     assert (result.verdict, result.score, report.sandbox, report.log) == ('failed', 2.5, 'none', [])
 
 
+def test_tests_side_by_side_give_what_they_give_one_after_the_other(tmp_path):
+    text = """
+@pytest.mark.not_looked_at(rule='speed', why='it depends on the machine')
+@pytest.mark.parametrize('number', range(3))
+def test_drawn(learner, number):
+    \"\"\"The number.\"\"\"
+    expect(number != 1, f'{learner.random.random()}')
+"""
+    small.write_tests(tmp_path, ONE + text)
+    alone, *others = (run(tmp_path, seed='seven', side_by_side=count) for count in (1, 2, 5))
+    assert [test.verdict for test in alone.exercises[0].tests] == ['passed', 'passed', 'failed', 'passed']
+    for report in others:
+        for result in (*report.exercises, *alone.exercises):
+            for test in result.tests:
+                test.seconds = 0.0
+        assert report.exercises == alone.exercises and report.log == []
+
+
+def test_tests_side_by_side_run_at_the_same_time(tmp_path):
+    text = f"""
+import time
+from pathlib import Path
+
+
+def meet(mine, other):
+    Path({str(tmp_path)!r}, mine).touch()
+    end = time.monotonic() + 60
+    while not Path({str(tmp_path)!r}, other).exists():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def test_first(learner):
+    meet('first', 'second')
+
+
+def test_second(learner):
+    meet('second', 'first')
+"""
+    small.write_tests(tmp_path, text)
+    (result,) = run(tmp_path, side_by_side=2).exercises
+    assert [test.verdict for test in result.tests] == ['passed', 'passed']
+
+
+def test_a_process_of_tests_that_dies_takes_no_other_one_with_it(tmp_path):
+    small.write_tests(tmp_path, ONE + '\ndef test_two(learner):\n    """Two."""\n    os._exit(3)\n')
+    report = run(tmp_path, side_by_side=2)
+    assert [test.verdict for test in report.exercises[0].tests] == ['passed', 'grader_error']
+    assert report.exercises[0].score is None and 'status 3' in '\n'.join(report.log)
+
+
+@pytest.mark.parametrize('side_by_side', [1, 2])
+def test_a_file_that_cannot_be_read_is_one_fault(tmp_path, side_by_side):
+    small.write_tests(tmp_path, ONE + '\ndef test_two(learner):\n    """Two."""\n\nthis is no Python\n')
+    (result,) = run(tmp_path, side_by_side=side_by_side).exercises
+    assert result.verdict == 'grader_error' and len(result.tests) == 1
+
+
 def test_only_the_named_tests_run(tmp_path):
     small.write_tests(tmp_path, ONE + ONE.replace('test_one', 'test_two'))
     small.write_tests(tmp_path, ONE.replace('90.1', '90.2'), 2)
