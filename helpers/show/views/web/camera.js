@@ -34,7 +34,8 @@ export class Look {
   }
 
   update() {  // before a picture is drawn
-    if (!this.news) return;
+    const {clientWidth, clientHeight} = this.viewer.dom_element;
+    if (!this.news || !clientWidth || !clientHeight) return;  // a page that is not laid out yet has no size
     this.news = false;
     const place = this.path ? placeOf(this.path) : null, box = new THREE.Box3();
     if (place) {

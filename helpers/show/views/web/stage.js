@@ -30,6 +30,7 @@ viewer.render = () => {
   for (const call of drawn) call();
 };
 
+window.addEventListener('resize', () => { look.news = true; viewer.set_dirty(); });
 at('fit').addEventListener('click', () => { look.reset(); viewer.set_dirty(); });
 at('names').addEventListener('click', () => {
   withNames = !withNames;
