@@ -50,8 +50,8 @@ class FileHandler(RequestHandler):
         self.write(self.path.read_bytes())
 
 
-class PageHandler(RequestHandler):
-    """The page of one view."""
+class _ViewHandler(RequestHandler):
+    """Answers for one view, as long as there is one of this name."""
 
     def initialize(self, channels: dict) -> None:
         self.channels = channels
@@ -61,22 +61,25 @@ class PageHandler(RequestHandler):
             self.send_error(404)
             return
         self.set_header('Cache-Control', 'no-cache')
+        self.answer(self.channels[name])
+
+    def answer(self, channel) -> None:
+        raise NotImplementedError
+
+
+class PageHandler(_ViewHandler):
+    """The page of one view."""
+
+    def answer(self, channel) -> None:
         self.write(view_pages.page())
 
 
-class PictureHandler(RequestHandler):
+class PictureHandler(_ViewHandler):
     """What one view shows now, as an SVG, for a browser without WebGL."""
 
-    def initialize(self, channels: dict) -> None:
-        self.channels = channels
-
-    def get(self, name: str) -> None:
-        if name not in self.channels:
-            self.send_error(404)
-            return
+    def answer(self, channel) -> None:
         self.set_header('Content-Type', 'image/svg+xml; charset=utf-8')
-        self.set_header('Cache-Control', 'no-store')
-        self.write(self.channels[name].picture())
+        self.write(channel.picture())
 
 
 class PingHandler(RequestHandler):
