@@ -117,9 +117,7 @@ def judge(
     }
     running = [exercise for exercise in exercises if exercise.id in programs]
     lanes = options.processes + _WAITING if options.processes > 1 else 1
-    shares = _shares(running, lanes)
-    if len(running) == 1:
-        shares = _parts(running[0], options)
+    shares = _parts(running[0], options) if len(running) == 1 else _shares(running, lanes)
     deadline = time.monotonic() + options.total_timeout
     stop = stopping.Stop()
 
