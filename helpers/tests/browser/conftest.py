@@ -4,6 +4,13 @@ import pytest
 
 from helpers.tests.browser import failure_traces, jupyterlab
 
+NO_WEBGL = """
+const getContext = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  return kind.includes('webgl') ? null : getContext.call(this, kind, ...more);
+};
+"""
+
 
 @pytest.fixture(scope='module')
 def browser():
@@ -19,6 +26,16 @@ def browser():
         )
         yield chromium
         chromium.close()
+
+
+@pytest.fixture
+def page_without_webgl(browser):
+    """A page of a browser that cannot draw in 3-D, as in many virtual machines."""
+    page = failure_traces.watch(browser.new_page(viewport={'width': 700, 'height': 420}))
+    page.set_default_timeout(jupyterlab.PATIENCE)
+    page.add_init_script(NO_WEBGL)
+    yield page
+    page.close()
 
 
 @pytest.hookimpl(wrapper=True)

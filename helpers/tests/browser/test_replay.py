@@ -32,6 +32,12 @@ def recorded(tmp_path):
     return tmp_path / recording.write(tmp_path)
 
 
+def test_without_webgl_the_page_says_that_it_cannot_draw(page_without_webgl, recorded):
+    page_without_webgl.goto(recorded.as_uri())
+    page_without_webgl.get_by_text('This browser draws no 3-D: it has no WebGL.').wait_for()
+    assert not page_without_webgl.locator('#slider').is_visible()
+
+
 def test_a_recording_plays_goes_back_and_can_be_turned(browser, recorded):
     errors = []
     page = failure_traces.watch(browser.new_page(viewport={'width': 600, 'height': 400}))
