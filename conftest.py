@@ -5,6 +5,7 @@ sample is drawn anew for each run; its seed is printed, and COURSE_SAMPLE=SEED d
 named, as in `pytest FILE::TEST`, runs, and so does one that has failed, with `pytest --last-failed`.
 """
 
+import faulthandler
 import os
 import secrets
 import zlib
@@ -18,6 +19,8 @@ import pytest
 from helpers.kernel import domains
 
 _held = ExitStack()
+_stderr = pytest.StashKey[int]()  # pytest's own stderr, while a test's goes to a file
+_longest = pytest.StashKey[float]()  # seconds that a test may take
 ROOT = Path(__file__).resolve().parent
 ROS_PACKAGES = ROOT / 'environment' / 'ros2_ws' / 'src'
 PACKAGES = sorted(folder.name for folder in ROS_PACKAGES.iterdir()) if ROS_PACKAGES.is_dir() else []
@@ -27,6 +30,7 @@ def pytest_configure(config):
     """Give this process, and all that it starts, its own domain. Each worker of xdist comes through here."""
     os.environ['COURSE_SAMPLE'] = os.environ.get('COURSE_SAMPLE') or secrets.token_hex(4)  # xdist's workers inherit it
     os.environ['ROS_DOMAIN_ID'] = str(_held.enter_context(domains.claim()))
+    config.stash[_stderr] = os.dup(2)
     notebooks = config.getoption('nbval', False) or config.getoption('nbval_lax', False)
     if notebooks and find_spec('grading'):  # the learner's edition has no stored outputs to compare with
         config.pluginmanager.import_plugin('grading.authoring.nbval_plugin')
@@ -84,6 +88,19 @@ def pytest_xdist_make_scheduler(config, log):
         def _split_scope(self, nodeid):
             return nodeid if 'test_validity.py' in nodeid else super()._split_scope(nodeid)
 
+        def remove_node(self, node):
+            """Take the tests of a process that has ended back, but not the one it ended in: xdist runs it again."""
+            units = self.assigned_work.pop(node)
+            left = [(unit, test) for unit in units.values() for test, done in unit.items() if not done]
+            if not left:
+                return None
+            unit, crashed = left[0]
+            unit[crashed] = True
+            self.workqueue.update({scope: unit for scope, unit in units.items() if not all(unit.values())})
+            for other in self.assigned_work:
+                self._reschedule(other)
+            return crashed
+
     return Scheduling(config, log) if config.getvalue('dist') == 'loadscope' else None
 
 
@@ -123,9 +140,40 @@ def _module(item):
     return item.nodeid.partition('::')[0]
 
 
+@pytest.hookimpl(optionalhook=True, tryfirst=True)
+def pytest_timeout_set_timer(item, settings):
+    """End a test also where no signal does: in C++ code that waits for ever, or in its clean-up.
+
+    Its process prints where each thread stands, and ends. xdist reports the test as failed and starts a new process.
+    """
+    item.stash[_longest] = 2 * settings.timeout
+    _end_later(item)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_teardown(item):
+    """The same for the clean-up: after a failure pytest has given up all timers, for a debugger's sake."""
+    _end_later(item)
+
+
+def _end_later(item):
+    if _longest in item.stash:
+        faulthandler.dump_traceback_later(item.stash[_longest], exit=True, file=item.config.stash[_stderr])
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_protocol():
+    """The test has ended, and its fixtures."""
+    try:
+        return (yield)
+    finally:
+        faulthandler.cancel_dump_traceback_later()
+
+
 def pytest_unconfigure(config):
     """Give the domain back."""
     _held.close()
+    os.close(config.stash[_stderr])
 
 
 @pytest.fixture
