@@ -43,6 +43,9 @@ class SetAsList(list):
 class TupleAsList(list):
     """A returned tuple, as a list: for tests that want it to have been a list."""
 
+    def __repr__(self) -> str:
+        return repr(tuple(self))  # it stands in sentences for learners
+
 
 class EnumAsName(str):
     """A returned member of an enumeration, as its name, which in the learner's program it does not equal."""

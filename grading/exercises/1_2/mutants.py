@@ -168,4 +168,6 @@ MUTANTS = [
            expect='Only what begins with /opt/ros/', breaks='workspace'),
     Mutant('path_if_there_is_no_other', old="environ.get('PYTHONPATH', '')", new="environ.get('PYTHONPATH', environ.get('PATH', ''))",
            expect='only AMENT_PREFIX_PATH and PYTHONPATH count', breaks='python'),
+    Mutant('three_alone_is_another', old="part.startswith('python') and '.' in part", new="part.startswith('python') and part[6:7].isdigit()",
+           expect='python3 alone is none', breaks='python'),
 ]

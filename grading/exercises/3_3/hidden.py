@@ -85,6 +85,17 @@ def test_reset_keeps_the_rhythm(learner):
         f'In each of three seconds came many resets; uptime says {uptime.data[count + 3 :]}, expected [1, 1, 1, 2].',
         'reset',
     )
+    count, pause = len(uptime), learner.random.choice([0.2, 0.35, 0.45])
+    learner.run((0.9 - learner.now / 1e9) % 1)
+    for rest in (pause, 2.0):
+        press(learner, button, 1)
+        learner.run(rest)
+    expect(
+        uptime.data[-3:] == [1, 1, 2],
+        f'A reset came 0.1 s before an uptime, and another one {pause} s after the first; then uptime says '
+        f'{uptime.data[count:]}, expected … 1, 1, 2.',
+        'reset',
+    )
 
 
 @pytest.mark.rules('reset-only')

@@ -196,4 +196,10 @@ MUTANTS = [
     Mutant('light_by_the_clock', old='self.lit = not self.lit',
            new='self.lit = round(self.get_clock().now().nanoseconds / 250_000_000) % 2 == 1',
            expect='whenever it starts', breaks='led', also=('own-state',)),
+    Mutant('one_reset_in_half_a_second', breaks='reset', old=RESET, new='''
+        def on_reset(self, msg):
+            now = self.get_clock().now().nanoseconds
+            if now - getattr(self, 'last', 0) > 500_000_000:
+                self.seconds, self.last = 0, now
+        ''', expect='the next one must be 1'),
 ]

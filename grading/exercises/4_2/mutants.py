@@ -155,4 +155,7 @@ MUTANTS = [
            new='len(info.d) == 5 and all(abs(one) < 10 for one in info.d)', expect='The five numbers themselves'),
     Mutant('landscape_only', breaks='size', also=('principal-point',), old='info.width > 0 and info.height > 0',
            new='0 < info.height <= info.width', expect='higher than it is wide'),
+    Mutant('region_inside_of_the_image', breaks='size', also='publish', old='info.width > 0 and info.height > 0',
+           new='info.width > 0 and info.height > 0 and info.roi.x_offset + info.roi.width <= info.width',
+           expect='Header, binning, roi'),
 ]

@@ -336,6 +336,8 @@ def test_slow_answers(learner):
             f'The cancel request was answered after 1.3 s; /outcome said {outcome.data}, expected one outcome.',
             'once',
         )
+        asked = len(server.cancel_stamps)
+        expect(asked == 1, f'The goal is lost, and {asked} cancel requests came, expected one.', 'deadline')
         node.stop()
         server.stop()
 

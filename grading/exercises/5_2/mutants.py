@@ -170,4 +170,9 @@ MUTANTS = [
         self.outcome = self.create_publisher(String, 'outcome', 10)
         self.outcome.publish(String(data='waiting []'))
         """, expect='what goes out in the constructor, hardly anybody can hear'),
+    Mutant('cancels_once_more_when_lost', breaks='deadline', old='if not self.said:', new="""
+        if not self.said and word == 'lost':
+            self.goal.cancel_goal_async()
+        if not self.said:
+        """, also='lost', expect='2 cancel requests came'),
 ]

@@ -8,6 +8,7 @@ from helpers.checks.chapter_05.printing import (
     Printer,
     check_at_the_end,
     check_switches,
+    check_two_at_once,
     check_two_printers,
     drawn_orders,
 )
@@ -36,6 +37,16 @@ def test_alone(learner):
         Job('C', (first + second) / 2 + 1.4, 1),
     )
     printer.judge()
+
+
+@pytest.mark.rules('places')
+@about('places')
+def test_two_at_once(learner):
+    """Of two goals of one moment a printer without places accepts one, wherever the callback of the first stands.
+
+    What counts the places also takes one.
+    """
+    check_two_at_once(Printer(learner, 0, switches=True))
 
 
 @pytest.mark.rules('queue')

@@ -338,4 +338,7 @@ MUTANTS = [
            new='for goal in self.goals[2:] if goal.is_cancel', expect='while it waited'),
     Mutant('only_the_next_one_leaves', breaks='cancel-waiting', old='for goal in self.goals[1:] if goal.is_cancel',
            new='for goal in self.goals[1:2] if goal.is_cancel', expect='while it waited'),
+    Mutant('goal_callbacks_side_by_side', breaks='places', old='cancel_callback=accept)',
+           new='cancel_callback=accept, callback_group=ReentrantCallbackGroup())',
+           imports='from rclpy.callback_groups import ReentrantCallbackGroup', expect='two goals at one moment'),
 ]

@@ -96,4 +96,10 @@ MUTANTS = [
            expect='stands at the left margin'),
     Mutant('an_empty_file_is_no_module', old='elif text is None:', new='elif not text:', **FUNCTION,
            expect='cause `function`'),
+    Mutant('only_with_main', breaks='file', also='all', old="module.endswith('.py')", new="'.py:main' in value",
+           expect='no `/`, no `.py`'),
+    Mutant('comments_go', breaks='kept', old="return {**files, 'setup.py': setup}", new='''
+        lines = [line for line in setup.splitlines() if not line.startswith('#')]
+        return {**files, 'setup.py': '\\n'.join(lines) + '\\n'}
+        ''', also='repaired', expect='The comment'),
 ]

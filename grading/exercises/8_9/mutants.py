@@ -241,4 +241,12 @@ elif pose is None:
         if step == 1:
             self.drive(*velocity)
         """, expect='two commands came within'),
+    Mutant('feedback_of_x', breaks='feedback', old='Feedback(distance=distance)',
+           new='Feedback(distance=abs(pose[0] - place[0]) if pose else distance)', expect='It is the distance of steer'),
+    Mutant('result_of_x', breaks='result', old='Result(distance=distance', new='Result(distance=abs(pose[0] - place[0]) if pose else distance',
+           expect='It is the distance of steer'),
+    Mutant('stands_when_it_rejects', breaks='single', old='return GoalResponse.REJECT', new="""
+        self.drive(0.0, 0.0)
+        return GoalResponse.REJECT
+        """, also='stands', expect='it was told to stand'),
 ]

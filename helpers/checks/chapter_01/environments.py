@@ -208,7 +208,7 @@ def _pythons(random: Random, distro: str) -> list[Case]:
         for wrong in ('2.7', '3.1', '3.8', random.choice(('3.10', '3.11', '3.13')))
     ]
     good = healthy(random, distro)
-    tools = {**good, PYTHON: '/home/ada/python/tools:/home/ada/my.python3'}
+    tools = {**good, PYTHON: '/home/ada/python/tools:/home/ada/my.python3:/usr/lib/python3/dist-packages'}
     within = {
         **good,
         PYTHON: f'{good[PYTHON]}:/home/{random.choice(PEOPLE)}/mypython{random.choice(("2.7", "3.10"))}/lib',
@@ -229,7 +229,7 @@ def _pythons(random: Random, distro: str) -> list[Case]:
             {PYTHON: 'other Python'},
             'One part of its folder is python3.10, whatever the part before it is called.',
         ),
-        Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.'),
+        Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y: python3 alone is none.'),
         Case('python', within, {}, 'No part is pythonX.Y and nothing more, as it stands between two slashes.'),
     ]
 

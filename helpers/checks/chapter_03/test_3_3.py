@@ -113,8 +113,13 @@ def check_minute(learner, led, uptime):
 
 
 def check_resets(learner, led, uptime, button):
-    """Resets in both halves of a second, while the LED is on and while it is off, two in a row, and many."""
-    for presses, rest in ((1, 2.25), (2, 1.5), (learner.random.randint(45, 60), 2.25), (1, 3.0)):
+    """Resets in both halves of a second, while the LED is on and while it is off, two in a row, and many.
+
+    At last two that lie close together, the one before a full second and the other one after it.
+    """
+    before = round((0.85 - learner.now / 1e9) % 1, 3)  # the pauses before it make whole seconds
+    many = learner.random.randint(45, 60)
+    for presses, rest in ((1, 2.25), (2, 1.5), (many, 2.25), (1, 3.0 + before), (1, 0.3), (1, 3.0)):
         counts, at = (len(led), len(uptime)), learner.now / 1e9
         press(learner, button, presses)
         expect(
@@ -175,6 +180,11 @@ def check_second(learner, led, uptime, button, node):
     expect(not learner.slept, 'The constructor waits in a loop. The timers do the waiting.', 'no-wait')
     with about('own-state'):
         learner.settle()
+        expect(
+            not light.data and not number.data,
+            f'A second heartbeat said {told(light.data + number.data)} in its constructor. Only the timers publish.',
+            'led-rate',
+        )
         learner.run(2.1, step=0.5)
     expect(
         light.data == 4 * [True, False],

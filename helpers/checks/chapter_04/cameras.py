@@ -68,8 +68,8 @@ def fill_others(info: CameraInfo, draw) -> None:
         info.k[place] = draw.uniform(1.5, 3.0)
     info.r = [draw.uniform(0.1, 0.9) for _ in range(9)]
     info.p = [draw.uniform(-60.0, -1.0) for _ in range(12)]
-    info.binning_x, info.binning_y = draw.sample(range(2, 9), 2)
-    info.roi.x_offset, info.roi.y_offset, info.roi.width, info.roi.height = draw.sample(range(1, 99), 4)
+    info.binning_x, info.binning_y = draw.sample(range(20, 99), 2)
+    info.roi.x_offset, info.roi.y_offset, info.roi.width, info.roi.height = draw.sample(range(9000, 65000), 4)
     info.roi.do_rectify = True
 
 

@@ -14,6 +14,7 @@ from helpers.runner.verdicts import LearnerCrashed, LearnerError
 
 PAGE = 0.5  # seconds
 NEVER = math.inf
+LEAST_LINES = 6
 MOST_LINES = 120  # places in the learner's lines to which threads come when one goal ends and another one comes
 
 
@@ -210,7 +211,7 @@ class Printer:
         expect(
             ended <= job.cancel_at + PAGE + 1e-6,
             f'{told}was cancelled while it waited, and ended at {ended:g} s, expected within {PAGE} s: somebody must '
-            'look at all goals that wait, in each step.',
+            'look at all goals that wait, in each step, and a goal whose turn comes looks before its first page.',
             rule,
         )
         expect(goal.status == 'canceled', f'{told}{goal.ended}, expected canceled.{goal.why_aborted}', rule)
@@ -463,6 +464,37 @@ def _began(rush: Rush, moment: int, words: str) -> int:
         'lock',
     )
     return round(begin * SECOND)
+
+
+def check_two_at_once(printer: Printer) -> None:
+    """The rule `places`: two goals of one moment, while a goal callback stands aside at one line after the other.
+
+    :param printer: without places, and with threads that can be switched: it accepts one of the two.
+    """
+    learner, client = printer.learner, printer.ends[0]
+    for line in range(1, MOST_LINES):
+        printer.node.switch(line, hold=True)
+        both = client.send(order=1), client.send(order=1)
+        client.patient = False  # who stands aside gives no answer
+        learner.settle()
+        learner.settle()  # the second one may come a bit later
+        done = all(goal.accepted is not None for goal in both)
+        _, stood = printer.node.switch(0)
+        client.patient = True
+        learner.settle()
+        accepted = [goal for goal in both if goal.accepted]
+        told = f'{printer.called} got two goals at one moment, when none ran or waited, and {len(accepted)} of them '
+        expect(
+            len(accepted) < 2,
+            f'{told}were accepted: the second one came while the callback of the first stood before {stood}. The look '
+            'at the places and the change of the list belong together: with the default callback group, one goal is '
+            'accepted after the other.',
+            'places',
+        )
+        expect(accepted, f'{told}were accepted, expected one.', 'places')
+        learner.run(2 * PAGE, step=PAGE, until=lambda goal=accepted[0]: goal.done)
+        if done and line >= LEAST_LINES:
+            break
 
 
 def _words(rush: Rush, stood: str) -> str:

@@ -270,6 +270,7 @@ def _answers_late(learner, rounds):
     )
     learner.run(2.0, step=1.0)
     rounds.expect(f'lost {seen}', 'once')
+    _asked_once(rounds)
     server.cancel, server.late, patience = 'accept', {'cancel': 0.8}, draw.choice([1.2, 1.7])
     rounds.begin(30, patience, 'a server that needs 0.8 s to answer the cancel request')
     learner.run(patience + 3.0, step=1.0)
@@ -286,11 +287,18 @@ def _answers_late(learner, rounds):
     learner.run(1.5, step=1.0)
     rounds.expect('lost []', 'lost', 'The cancel request was not answered within 1 s.')
     server.late, server.plan = {}, uneven
-    rounds.begin(30, 1.0, 'a server that ends after its first feedback')
+    goal = rounds.begin(30, 1.0, 'a server that ends after its first feedback')
     learner.run(0.4)
     server.stop()
     learner.run(3.0, step=1.0)
     rounds.expect(f'lost {_uneven(0)}', 'lost', 'Nobody answers the cancel request: the client must not wait for ever.')
+    took = rounds.outcome.stamps[0] - goal.arrived
+    expect(
+        took == pytest.approx(2.0, abs=2 * NEAR),
+        f'{rounds.story}lost came {took:.2f} s after the goal was accepted, expected 2 s: 1 s of patience, and 1 s '
+        'without an answer to the cancel request.',
+        'lost',
+    )
     rounds.expect_looks()
 
 
@@ -323,7 +331,8 @@ def test_server_comes_late(learner):
     check_no_wait(learner)
     expect(not outcome.data, f'There is no server, and /outcome said {shown(outcome.data)}.', 'send')
     server = learner.action_server(f'{space}/fibonacci', Fibonacci, plan)
-    server.late = {'goal': 1.2}
+    late = draw.choice([1.2, 21.2, 62.2])
+    server.late = {'goal': late}
     learner.settle()
     expect(
         server.name in server.theirs(),
@@ -332,24 +341,24 @@ def test_server_comes_late(learner):
         'names',
     )
     begin = learner.now / 1e9
-    learner.run(5.0, step=1.0)
+    learner.run(late + 3.8, step=1.0)
     expect(
         server.goals,
-        f'A server came {away} s after the client, and no goal came in the 5 s after that. Look for the server every '
-        '0.1 s until it is there, however long that takes.',
+        f'A server came {away} s after the client, and no goal came in the {late + 3.8:g} s after that. Look for the '
+        'server every 0.1 s until it is there, however long that takes.',
         'send',
     )
     expect(
         len(server.goals) == 1,
-        f'The server needs 1.2 s to accept; in the meantime {len(server.goals)} goals came, '
+        f'The server needs {late} s to accept; in the meantime {len(server.goals)} goals came, '
         'expected one: stop looking for the server when the goal is sent.',
         'send',
     )
-    waited = server.goals[0].arrived - 1.2 - begin
+    waited = server.goals[0].arrived - late - begin
     expect(waited < 0.21, f'The goal came {waited:.2f} s after the server: look for it every 0.1 s.', 'send')
     expect(
         outcome.data and outcome.data[0].startswith('succeeded'),
-        f'The server accepted the goal 1.2 s after it was sent, and needed {0.5 * order} s; with the patience '
+        f'The server accepted the goal {late} s after it was sent, and needed {0.5 * order} s; with the patience '
         f'{0.5 * order + 0.5} s, /outcome said {shown(outcome.data)}. The deadline begins when the goal is accepted.',
         'deadline',
     )

@@ -8,6 +8,7 @@ from helpers.checks.chapter_05.printing import (
     Printer,
     check_at_the_end,
     check_switches,
+    check_two_at_once,
     check_two_printers,
     drawn_orders,
 )
@@ -52,6 +53,16 @@ def test_no_place(learner):
     printer = Printer(learner, 0)
     printer.tell(Job('A', 0.0, 2), Job('too many', 0.2, 1), Job('B', 1.3, 1))
     printer.judge()
+
+
+@pytest.mark.rules('places')
+@about('places')
+def test_two_at_once(learner):
+    """Of two goals of one moment a printer without places accepts one, wherever the callback of the first stands.
+
+    What counts the places also takes one: in one callback, or in callbacks of one mutually exclusive group.
+    """
+    check_two_at_once(Printer(learner, 0, switches=True))
 
 
 @pytest.mark.rules('places')

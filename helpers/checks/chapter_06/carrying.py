@@ -124,8 +124,8 @@ class Scene:
             found is not None,
             f'{call} gave None. tf2 knows the cup for {then:g} s and the robot for '
             f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a '
-            'look-up. And is there one buffer, with one listener, for the life of the '
-            'node?',
+            'look-up. Is the time that of the clock of the node? And is there one buffer, with one listener, for the '
+            'life of the node?',
             'robot-now',
         )
         expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.', 'point')
@@ -134,7 +134,8 @@ class Scene:
         wrong = [(rule, reason) for other, rule, reason in self._others(now, seconds) if same(place, other, 1e-3)]
         explain(
             same(place, expected, 1e-3),
-            f'{call} gave {words(place)}, expected {words(expected)}.',
+            f'{call} gave {words(place)}, expected {words(expected)}.'
+            + ('' if wrong else ' Is the time that of the clock of the node?'),
             *[(True, reason) for _, reason in wrong],
             rule=(*[rule for rule, _ in wrong], 'then')[0],
         )

@@ -190,7 +190,7 @@ def check_long_silence(there: Pursuit) -> None:
     expect(
         not drives,
         f'Both turtles said nothing for {min(drives, default=0.0):.1f} s, and the command drives: the older transforms '
-        'are, the less they are worth.',
+        f'are, the less they are worth.{_moving(there.commands.messages[count:])}',
         'old',
     )
 
@@ -223,7 +223,7 @@ def check_lost_again(there: Pursuit) -> None:
     story = f'tf2 knew the transform; then the {who} was in another tree for 0.4 s, and no way led to it'
     commands = there.commands.messages[count:]
     expect(len(commands) >= 3, f'{story}. In this time only {len(commands)} commands came.', 'unknown')
-    expect(all(map(zeros, commands)), f'{story}. A command drives all the same.', 'unknown')
+    expect(all(map(zeros, commands)), f'{story}. A command drives all the same.{_moving(commands)}', 'unknown')
     for _ in range(3):
         there.tell()
         there.learner.run(0.1)
@@ -273,6 +273,12 @@ def _check_two(there: Pursuit) -> None:
         'stands. The names of the frames belong to the object (self).',
         'place',
     )
+
+
+def _moving(commands: list[Twist]) -> str:
+    """The first of these commands that moves the robot, for a message."""
+    first = next((command for command in commands if not zeros(command)), Twist())
+    return f' It is linear.x {first.linear.x:.2f} and angular.z {first.angular.z:.2f}: both must be zero.'
 
 
 def zeros(command: Twist) -> bool:

@@ -20,12 +20,15 @@ def no_fault(name: str) -> str:
     return '' if name in CAUSES else f'{name!r} is no fault of section 7.2. There are {", ".join(CAUSES)}.'
 
 
-def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', given: str = '') -> None:
+def compare(
+    got, expected: list[tuple], why: dict[str, str], rule: str = '', given: str = '', extra=lambda finding: ''
+) -> None:
     """Fail with words if `got` is not a list of the `expected` findings, in any order.
 
     :param why: a sentence for each cause: where to look if it is missed, or found where it is not.
     :param rule: the rule that is broken if a finding is missed, or is too much; by default that of its cause.
     :param given: what the function was asked about, to be shown.
+    :param extra: a finding that is too much → why it is none, or '' for the sentence of its cause.
     """
     first = rule or (rule_of(expected[0][2]) if expected else '')
     given = f'\n{given}' if given else ''
@@ -61,7 +64,8 @@ def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', giv
         broken = rule or (rule_of(one[2]) if one[2] in why else first)
         expect(
             one in expected,
-            f'You found {said(one)} (evidence {one[3]!r}), and there is no such fault. {why.get(one[2], "")}{given}',
+            f'You found {said(one)} (evidence {one[3]!r}), and there is no such fault. '
+            f'{extra(one) or why.get(one[2], "")}{given}',
             broken,
         )
         times, wanted = found.count(one), expected.count(one)

@@ -124,7 +124,19 @@ def diagnose(learner, *faults: str, rule: str = '') -> None:
     endpoints, expected = draw(learner.random, *faults)
     named = {finding[1].split()[1] for finding in expected} | {finding[3] for finding in expected}
     given = '\n'.join(str(end) for end in endpoints if end['name'] in named)
-    compare(learner.call('diagnose_graph', endpoints), expected, WHY, rule, given)
+    compare(learner.call('diagnose_graph', endpoints), expected, WHY, rule, given, _of_one_that_offers(endpoints))
+
+
+def _of_one_that_offers(endpoints: list[dict]):
+    """For `compare`: why a finding about a publisher or a server is none."""
+
+    def why(finding) -> str:
+        node, _, name = finding[1].partition(' ')
+        roles = {end['role'] for end in endpoints if (end['node'], end['name']) == (node, name)}
+        offers = len(roles) == 1 and roles <= {'publisher', 'server'}
+        return f'{node} is a {roles.pop()} there: one that nobody uses is no finding.' if offers else ''
+
+    return why
 
 
 def other_type(learner) -> None:

@@ -23,6 +23,7 @@ from setuptools import find_packages, setup
 
 package_name = '{package}'
 
+# What is written into the index is found by `ros2 pkg`.
 setup(
     name=package_name,
     version='0.1.0',
@@ -205,6 +206,12 @@ class Package:
                 f'After your repair, {program} leads to `{there[program].strip()}`, expected `{value}`.',
                 rule,
             )
+        comments = [line for line in self.files['setup.py'].splitlines() if line.startswith('#')]
+        expect(
+            all(comment in setup for comment in comments),
+            f'The comment `{comments[0]}` is gone from setup.py, in which only the entry points are to be repaired.',
+            'kept',
+        )
         expect(
             rest == _console_scripts(self.files['setup.py'])[1] and len(entries) == len(self.right),
             'In setup.py, something else is changed than the right sides of entry points:\n' + setup,
@@ -234,7 +241,8 @@ class Package:
 def judge_rare_entries(learner) -> None:
     """Entry points whose programs have other names than their modules, in a package with a folder in it.
 
-    One name is written in capitals, one module stands in another folder, one right side names a file after the colon;
+    One name is written in capitals, one module stands in another folder, three right sides name a file, one of them
+    after the colon;
     a function is only another name of one, one is inside of another, one is the end of another name, one that begins
     with `_` can be started as any other, one module begins with its only `def`, and one is empty.
     """
@@ -255,6 +263,8 @@ def judge_rare_entries(learner) -> None:
         (f'{package}.{inner}:{go}', 'module'),
         (f'{package}.{first.capitalize()}:{go}', 'module'),
         (f'{package}:scripts/{first}', 'file'),
+        (f'{package}.{last}.py:{next(one for one in (go, other) if one != "main")}', 'file'),
+        (f'{package}.{last}.py', 'file'),
         (f'{package}.{first}:{other}', 'function'),
         (f'{package}.{last}:{other}', 'function'),
         (f'{package}.{last}:{go}', ''),

@@ -149,9 +149,16 @@ def judge_rejections(drives: Drives) -> str:
     )
     (drives.goal,) = accepted
     drives.status(f'driving to {name}', f'While the robot drives to {name}')
+    drives.commands.clear()
     for station in ('moon', 'other'):  # whatever the reason: the first goal goes on
         drives.rejected(station, 'single', f'The robot is still driving to {name}.')
     drives.run(0.2)
+    expect(
+        all((command.linear.x, command.angular.z) != (0.0, 0.0) for command in drives.commands.messages),
+        f'While the robot drove to {name}, other goals were rejected, and it was told to stand: drive(0.0, 0.0). The '
+        'first goal goes on as if nothing had come.',
+        'single',
+    )
     expect(
         not drives.goal.done,
         f'While the robot drove to {name}, another goal was rejected, and the first one is '

@@ -16,6 +16,7 @@ from helpers.runner.peers import SECOND
 TOLERANCE, TIMEOUT, FASTEST, TURN = 0.5, 3.0, 0.5, 2.0  # the parameters of the node: m, s, m/s, rad/s
 GATE = 0.5, 0.0  # the station, in metres
 AWAY = GATE[0] - 1.5, 0.0  # a place that is far from it: x in metres, yaw in radians
+ASIDE = 1.1  # metres in y: the straight way from there is neither the one in x nor the one in y, nor both together
 
 
 class Held:
@@ -131,21 +132,21 @@ def _judge_border(held: Held, late: str) -> None:
         f'{math.hypot(aside, aside):.2f} m, and the goal has succeeded. What counts is the distance of steer.',
         'succeeds',
     )
-    held.stand(0.02, 2.5, 0.2)  # it looks away: that does not matter
+    held.stand(0.02, 2.5, 0.2, 0.1)  # it looks away: that does not matter
     held.stand(*AWAY, 0.3)  # and it is carried away: then it is too late for whoever waits
-    left = GATE[0] - 0.02
+    left = math.hypot(GATE[0] - 0.02, 0.1)
     said = f', and says {goal.result.message!r}' if goal.done and goal.result.message else ''
     expect(
         goal.status == 'succeeded',
-        f'The tolerance is {TOLERANCE:g} m, and for 0.2 s the robot was {left:g} m away from the station; it looked to '
-        f'2.5 rad. The goal is {goal.status or "still running"}{said}. It succeeds in the round in which the distance '
-        'is below the tolerance.',
+        f'The tolerance is {TOLERANCE:g} m, and for 0.2 s the robot was {left:.3f} m away from the station; it looked '
+        f'to 2.5 rad. The goal is {goal.status or "still running"}{said}. It succeeds in the round in which the '
+        'distance is below the tolerance.',
         'succeeds',
     )
     expect(
         goal.result.distance == pytest.approx(left, abs=1e-3),
-        f'The goal has succeeded {left:g} m away from the station, and the distance in its result is '
-        f'{goal.result.distance:g}.',
+        f'The goal has succeeded {left:.3f} m away from the station, 0.1 m of it in y, and the distance in its result '
+        f'is {goal.result.distance:.3f}. It is the distance of steer.',
         'result',
     )
     expect(
@@ -213,9 +214,10 @@ def _judge_long_drive(held: Held, seconds: float) -> None:
     Parameters(held.learner, '/delivery_robot').set(tolerance=tolerance, timeout=float(timeout))
     held.stand(*AWAY)
     goal = held.go('next')
-    held.stand(*AWAY, seconds)
+    held.stand(*AWAY, seconds, ASIDE)
     told = f'The tolerance is {tolerance:g} m now and the timeout {timeout} s, and a drive has taken {seconds:.1f} s. '
     expect(not goal.done, f'{told}The goal is {goal.status}, expected to go on.', 'timeout')
+    _judge_distance(goal.feedback[-1].distance if goal.feedback else None, 'The last feedback says', 'feedback')
     held.stand(GATE[0] - 1.4 * tolerance, 0.0, 2.0)
     expect(
         not goal.done,
@@ -233,11 +235,24 @@ def _judge_long_drive(held: Held, seconds: float) -> None:
     )
     held.stand(*AWAY)
     goal = held.go('next')
-    held.stand(*AWAY, seconds)
+    held.stand(*AWAY, seconds, ASIDE)
     held.learner.run(1.0)
     expect(
         goal.status == 'aborted',
         f'{told}Then another one ran for {seconds:.1f} s, and the localiser fell silent: 1 s later the goal is '
         f'{goal.status or "still running"}, expected aborted.',
         'lost',
+    )
+    _judge_distance(goal.result.distance, 'It got lost there, and the result says', 'result')
+
+
+def _judge_distance(said: float | None, who: str, rule: str) -> None:
+    """The distance that is told of a robot at the place aside; None: nothing was told, which is another rule."""
+    x, y = AWAY[0], ASIDE
+    straight = math.dist((x, y), GATE)
+    expect(
+        said is None or said == pytest.approx(straight, abs=1e-3),
+        f'The robot stood at ({x:g}, {y:g}), and the gate is at {GATE}: {straight:.3f} m away. {who} {said} m. It is '
+        'the distance of steer.',
+        rule,
     )

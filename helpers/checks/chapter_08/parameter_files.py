@@ -56,10 +56,19 @@ def why_unreadable(text: str) -> str:
         line = text.split('\n')[found.line - 1].strip() if found.line else ''
         before = ' In the line before, is there a space behind the colon?' if 'mapping values' in found.said else ''
         return (f'Line {found.line}, `{line:.100}`: {found.said}.' if line else f'{found.said}.') + before
+    for event in _events(text):
+        if isinstance(event, yaml.events.AliasEvent) or getattr(event, 'anchor', None):
+            return (
+                f'Line {event.start_mark.line + 1} has an anchor (&) or an alias (*). YAML knows them, the parameter '
+                'files of ROS do not: write the values twice.'
+            )
     content = _content(text)
     for name, block in content.items() if isinstance(content, dict) else ():
         if name == BLOCK:
             return f'`{BLOCK}` stands below the name of a node, two spaces further to the right.'
+        if isinstance(block, dict) and any(str(below).startswith('/') for below in block):
+            below = next(str(below) for below in block if str(below).startswith('/'))
+            return f'Below `{name}` stands `{below}`, and together they are {name}/{below}: leave out its first slash.'
         if not any(_blocks({name: block}, set())):
             return f'Below `{name}` there is no block `{BLOCK}`, with two underscores, that holds parameters.'
     return f'Look at the indentation, and at the two underscores of {BLOCK}.'
@@ -68,6 +77,14 @@ def why_unreadable(text: str) -> str:
 def shown(values: dict) -> str:
     """Parameters with their values, for messages."""
     return ', '.join(f'{name} = {value!r}' for name, value in values.items())
+
+
+def _events(text: str) -> list:
+    """What the parser sees in a YAML file; nothing if it cannot be read."""
+    try:
+        return list(yaml.parse(text))
+    except Exception:  # as below
+        return []
 
 
 def _content(text: str) -> Any:

@@ -125,7 +125,7 @@ def judge_status(keeper: Keeper, period: float) -> None:
     heard.clear()
     begin = learner.now / SECOND
     changed = Parameters(learner, f'{keeper.namespace}/delivery_robot').set(status_period=2.5 * period)
-    expect(changed.successful, f'status_period = {2.5 * period:g} was refused: {changed.reason!r}.', 'parameters')
+    expect(changed.successful, f'status_period = {2.5 * period:g} was refused: {changed.reason!r}.', 'status-period')
     learner.run(3.05 * period)
     expect(
         len(heard) == 3,
@@ -224,20 +224,20 @@ def judge_stations(keeper: Keeper) -> None:
 def _judge_places(keeper: Keeper, wanted: dict[str, list[float]], what: str, rule: str) -> None:
     """`place` knows all these stations. `what`: what has happened before."""
     for name in wanted:
-        found = keeper.place(name, rule)
-        expect(
-            isinstance(found, (list, tuple)) and list(found) == wanted[name],
-            f'{what}, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
-            rule,
-        )
-        _judge_kind(found, name, rule)
+        _judge_place(keeper, name, wanted[name], what, rule)
 
 
-def _judge_kind(found, name: str, rule: str) -> None:
-    """Fail if a place is a list: it is equal to no tuple."""
+def _judge_place(keeper: Keeper, name: str, wanted: list[float], what: str, rule: str) -> None:
+    """`place` of this station is the pair that is wanted, a tuple: a list is equal to no tuple."""
+    found = keeper.place(name, rule)
+    expect(
+        isinstance(found, (list, tuple)) and list(found) == wanted,
+        f'{what}, place({name!r}) is {found}, expected the tuple {tuple(wanted)}.',
+        rule,
+    )
     expect(
         type(found) is not list,
-        f'place({name!r}) is the list {found}, expected the tuple {tuple(found or ())}. A tuple stands in round '
+        f'place({name!r}) is the list {found}, expected the tuple {tuple(found)}. A tuple stands in round '
         'brackets, or in none.',
         rule,
     )
@@ -266,13 +266,7 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
             + (f' (self.state is {busy!r}: a station may be set at any time.)' if number >= len(names) // 2 else ''),
             'station',
         )
-        found = keeper.place(name, 'station')
-        expect(
-            found is not None and list(found) == wanted[name],
-            f'After set_station, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
-            'station',
-        )
-        _judge_kind(found, name, 'station')
+        _judge_place(keeper, name, wanted[name], 'After set_station', 'station')
         if len(wanted) in (2, len(names)):
             _judge_places(keeper, wanted, f'After {name!r} was set', 'new-place')
     wanted |= _judge_far_stations(keeper, names[-1])

@@ -53,6 +53,13 @@ def steer(learner, rule: str, *arguments: float) -> tuple[float, float, float]:
         f'{words(arguments)} returned {found!r}, expected three finite numbers: distance, linear, angular.',
         rule,
     )
+    wanted = right(*arguments)
+    exchanged = list(found) != pytest.approx(wanted) and sorted(found) == pytest.approx(sorted(wanted))
+    expect(
+        not exchanged,
+        f'{words(arguments)} returned {found!r}: the right numbers in another order than distance, linear, angular.',
+        'distance',
+    )
     return tuple(found)
 
 
@@ -64,6 +71,12 @@ def case(
     yaw = draw.uniform(-1.2, 1.2) if yaw is None else yaw
     goal = x + distance * math.cos(yaw + angle), y + distance * math.sin(yaw + angle)
     return x, y, yaw, *goal, max_linear, max_angular
+
+
+def told(got: float, wanted: float) -> str:
+    """Both numbers, with as many digits as it needs to tell them apart."""
+    digits = next((digits for digits in range(3, 9) if f'{got:.{digits}f}' != f'{wanted:.{digits}f}'), 9)
+    return f'{got:.{digits}f}, expected {wanted:.{digits}f}'
 
 
 def side_of(angle: float) -> str:
@@ -80,8 +93,8 @@ def judge_distance(learner) -> None:
         wanted = right(*arguments)[0]
         expect(
             got == pytest.approx(wanted, abs=1e-6),
-            f'{words(arguments)}: the distance is {got:.3f} m, expected {wanted:.3f} m. The way goes from the '
-            'robot to the goal, and straight.',
+            f'{words(arguments)}: the distance is {told(got, wanted)} m. The way goes from the robot to the goal, and '
+            'straight.',
             'distance',
         )
 
@@ -143,8 +156,8 @@ def judge_speed(learner) -> None:
             got = steer(learner, 'linear', *arguments)[1]
             expect(
                 got == pytest.approx(min(limit, distance), abs=1e-6),
-                f'{words(arguments)}: linear is {got:.3f} m/s, expected {min(limit, distance):.3f}. The distance is '
-                f'{distance:.3f} m, and max_linear is {limit:.3f}.',
+                f'{words(arguments)}: linear, in m/s, is {told(got, min(limit, distance))}. The distance is '
+                f'{distance:.6g} m, and max_linear is {limit:.3f}. It is the lesser of the two, whatever the angle.',
                 'linear',
             )
     for side in (1, -1):

@@ -17,10 +17,11 @@ from helpers.runner import disguise
 
 _WAYS = 'silent idle any_place any_value moon two early deaf succeeded runs_on blind offended still'.split()
 _YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` computes the same with drawn numbers
-# Besides: how a drive has ended, and why a place was refused, is said in other words, and where nothing was said, there
-# is a word. All drives that do not arrive end with the same words. That is right all the same.
+# Besides: how a drive has ended, why a place was refused, and what a parameter is, is said in other words, and where
+# nothing was said, there is a word. All drives that do not arrive end with the same words. That is right all the same.
 _BEHIND = """
 
+import copy
 import inspect
 
 import rclpy.action
@@ -42,6 +43,13 @@ def through(callback, before, after):
 def turned(answer):
     answer.message = answer.message[::-1] or 'noted'
     return answer
+
+
+def described(name, value=None, descriptor=None, *others):
+    if descriptor is not None:
+        descriptor = copy.copy(descriptor)
+        descriptor.description = descriptor.description[::-1] or 'noted'
+    return name, value, descriptor, *others
 
 
 class ActionServer(rclpy.action.ActionServer):
@@ -118,6 +126,7 @@ class DeliveryRobot(DeliveryRobot):
         return super().create_service(srv_type, name, callback, *others, **options)
 
     def declare_parameters(self, namespace, parameters, *others, **options):
+        parameters = [described(*one) if len(one) > 2 else one for one in parameters]
         if {any_value}:
             parameters = [one[:2] for one in parameters]
         return super().declare_parameters(namespace, parameters, *others, **options)
