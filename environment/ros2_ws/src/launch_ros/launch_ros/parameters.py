@@ -84,11 +84,23 @@ def _evaluate(context: LaunchContext, name: str, value: Any) -> Any:
         items = list(value)
         if is_one_text(items):
             return _from_yaml(name, to_text(context, items))
-        items = [_evaluate(context, name, item) if not isinstance(item, _PLAIN) else item for item in items]
+        if not items:  # nothing says of which type it is; upstream's words
+            kinds = (float, int, str, bool, bytes)
+            raise TypeError(f"Expected 'value' to be one of {list(kinds)}, but got '()' of type '{tuple}'")
+        items = [_evaluate_item(context, name, item) for item in items]
         if {type(item) for item in items} == {int, float}:
             return [float(item) for item in items]
-        return _checked_list(items) if items else items
+        return _checked_list(items)
     raise TypeError(f"parameter '{name}' has a value that no parameter can have: {value!r}")
+
+
+def _evaluate_item(context: LaunchContext, name: str, item: Any) -> Any:
+    """Return an item of an array; a list of texts and substitutions is one text, also without a substitution."""
+    if isinstance(item, _PLAIN):
+        return item
+    if isinstance(item, (list, tuple)) and _is_text(item):
+        return _from_yaml(name, to_text(context, list(item)))
+    return _evaluate(context, name, item)
 
 
 _AS_TEXT = (

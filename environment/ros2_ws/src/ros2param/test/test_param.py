@@ -1,6 +1,11 @@
 """`ros2 param` beside real nodes."""
 
+import sys
+
 import pytest
+
+from environment.tests.running import PATIENCE
+from helpers.programs.processes import background
 
 pytestmark = pytest.mark.usefixtures('several_nodes')
 
@@ -87,6 +92,18 @@ def test_param_dump_and_load(ros2, tmp_path):
     file.write_text('- 1')
     assert 'is not a valid ROS parameter file' in ros2.error('param', 'load', '/robot', str(file))
     assert 'No such file or directory' in ros2.error('param', 'load', '/robot', '/no/such/file')
+
+
+def test_what_is_not_set_is_left_out_of_a_dump(ros2):
+    code = (
+        'import rclpy; from rclpy.parameter import Parameter; rclpy.init(); node = rclpy.create_node("half"); '
+        'node.declare_parameter("unset", Parameter.Type.STRING); node.declare_parameter("rate", 2.0); '
+        'print("ready", flush=True); rclpy.spin(node)'
+    )
+    with background([sys.executable, '-c', code], env=ros2.environ) as half:
+        half.wait_for_output('ready', timeout=PATIENCE)
+        dump = ros2.output('param', 'dump', '/half')
+    assert '    rate: 2.0\n' in dump and 'unset' not in dump
 
 
 def test_a_prefix_that_nothing_has_prints_nothing(ros2, robot):

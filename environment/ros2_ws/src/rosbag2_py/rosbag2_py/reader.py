@@ -65,7 +65,12 @@ class SequentialReader:
             self._reader = None
 
     def has_next(self) -> bool:
-        """Return whether there is another message."""
+        """
+        Return whether there is another message.
+
+        :raises BagError: if no bag is open.
+        """
+        self._open()
         if self._next is None:
             self._next = next(self._messages, None)
         return self._next is not None

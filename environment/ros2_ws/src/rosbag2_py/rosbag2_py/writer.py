@@ -33,6 +33,7 @@ NO_SNAPSHOTS = (
     'Snapshot mode is not available: the service that takes a snapshot is one of rosbag2_interfaces, '
     'and no such service is offered here. Record without it.'
 )
+LEAST_SIZE = {'mcap': 1024, 'sqlite3': 86016}  # bytes of a file, before the next one is begun; as upstream
 SPACE_KEPT = 10 * 2**20  # bytes that a recording leaves free on the disk
 
 
@@ -130,6 +131,11 @@ class _Bag:
         self.storage_id = options.storage_id or DEFAULT_STORAGE
         if self.storage_id not in SUFFIXES:
             raise BagError(f"the storage '{self.storage_id}' is not known; there are {', '.join(SUFFIXES)}")
+        if 0 < options.max_bagfile_size < LEAST_SIZE[self.storage_id]:
+            raise BagError(
+                'Invalid bag splitting size given. Please provide a value greater than '
+                f'{LEAST_SIZE[self.storage_id]}. Specified value of {options.max_bagfile_size}'
+            )
         self.folder = Path(options.uri)
         try:
             self.folder.mkdir(parents=True)

@@ -525,6 +525,13 @@ def test_what_cannot_be_is_said(tmp_path):
     writer.open(StorageOptions(str(tmp_path / 'bag')))
     with pytest.raises(BagError, match='create_topic'):
         writer.write('/words', b'', 0)
+    for storage, size in (('mcap', 1023), ('sqlite3', 50_000)):
+        with pytest.raises(BagError, match=rf'Please provide a value greater than \d+\. Specified value of {size}'):
+            SequentialWriter().open(StorageOptions(str(tmp_path / 'small'), storage, max_bagfile_size=size))
+    assert not (tmp_path / 'small').exists()
+    for method in ('has_next', 'read_next'):
+        with pytest.raises(BagError, match='not open'):
+            getattr(SequentialReader(), method)()
     with pytest.raises(BagError, match='exists already'):
         SequentialWriter().open(StorageOptions(str(tmp_path / 'bag')))
     with pytest.raises(BagError, match='does not exist'):

@@ -29,6 +29,7 @@ class PlayVerb(VerbExtension):
             '--playback-until-nsec', type=int, default=-1, help='Play up to this time, in nanoseconds since 1970'
         )
         add('--disable-keyboard-controls', action='store_true', help='Do not listen to the keyboard')
+        add('--disable-loan-message', action='store_true', help='Borrow no messages (this player never does)')
         add('-p', '--start-paused', action='store_true', help='Wait for SPACE before the first message')
         add(
             '--wait-for-all-acked',

@@ -25,11 +25,20 @@ class DumpVerb(VerbExtension):
             if not node_is_there(node, name, args.include_hidden_nodes, args.timeout):
                 return 'Node not found'
             names = call_list_parameters(node=node, node_name=name)
-            values = call_get_parameters(node=node, node_name=name, parameter_names=names).values
+            values = _values(node, name, names)
         parameters = {}
-        for parameter_name, value in zip(names, values, strict=True):
+        for parameter_name, value in values.items():
             _insert(parameters, parameter_name, get_value(parameter_value=value))
         print(yaml.dump({name: {'ros__parameters': parameters}}, default_flow_style=False))
+
+
+def _values(node, node_name, names):
+    """Return name -> value of those that are set: nodes of rclpy answer with nothing if one of them is not."""
+    values = call_get_parameters(node=node, node_name=node_name, parameter_names=names).values
+    if len(values) == len(names):
+        return dict(zip(names, values, strict=True))
+    answers = {one: call_get_parameters(node=node, node_name=node_name, parameter_names=[one]).values for one in names}
+    return {one: answer[0] for one, answer in answers.items() if answer}
 
 
 def _insert(parameters, name, value):
