@@ -593,7 +593,11 @@ def _pytest(learner, changed: dict[str, str]) -> tuple[int | None, str]:
     task.end()
     errors = [line.strip()[1:].strip() for line in task.output.splitlines() if line.startswith('E ')]
     without = {None: 'they do not end', _NO_TESTS: 'pytest finds no test, as no name of a function begins with test_'}
-    return status, (errors[0] if errors else without.get(status, f'pytest ended with status {status}'))[:300]
+    said = errors[0] if errors else without.get(status, f'pytest ended with status {status}')
+    if place := re.match(r'File "[^"]*", line (\d+)', said):  # Python cannot read the file: the error stands below
+        error = next((line for line in errors if re.match(r'\w+Error: ', line)), said)
+        said = f'{error} ({TESTS}, line {place[1]})'
+    return status, said[:300]
 
 
 def _no_file(learner, wanted: str) -> str:
