@@ -100,8 +100,8 @@ def svg(chart) -> str:
     paths = view.paths()
     signs, x = [], view.legend_end
     for words, sign, there in (
-        ('sent', _mark(6, 12, True), True),
-        ('received', _mark(6, 12, False), True),
+        ('sent', _mark(6, 12, True), any(message.sent for message in view.messages)),
+        ('received', _mark(6, 12, False), any(not message.sent for message in view.messages)),
         ('awaits', _AWAITS, any(callback.awaited for callback in chart.callbacks)),
         ('request', _LINE.format(''), any(not path['back'] for path in paths)),
         ('response', _LINE.format('stroke-dasharray="3 3"'), any(path['back'] for path in paths)),
@@ -170,7 +170,8 @@ class _View:
         return self.y[message.thread] + (7 if message.sent else _LANE - 6)
 
     def _colours(self) -> None:
-        nodes = list(dict.fromkeys([c.node for c in self.chart.callbacks] + [m.node for m in self.messages if m.node]))
+        # By name, so that a node has one colour in charts of the same nodes.
+        nodes = sorted({c.node for c in self.chart.callbacks} | {m.node for m in self.messages if m.node})
         self.colour = {node: _COLOURS[number % len(_COLOURS)] for number, node in enumerate(nodes)}
         self.legend, x = [], _LEFT + 6
         for node in nodes:

@@ -383,7 +383,7 @@ def way(who: str, passed: bool) -> list[str]:
 
 def _asked(looks: list[int], number: int, command: str) -> str:
     name = 'The question where a program stands' if number == STACKS else f'Question {number}'
-    shows = f'{name} shows a fault (`{command}`): '
+    shows = f'{name} shows a fault ({command}): '
     if number not in looks:
         return f'{shows}you did not ask it.'
     place = looks.index(number) + 1

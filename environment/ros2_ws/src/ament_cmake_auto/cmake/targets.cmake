@@ -32,18 +32,19 @@ endmacro()
 
 # ament_auto_add_executable(target [DIRECTORY folder] [NO_TARGET_LINK_LIBRARIES] source…)
 macro(ament_auto_add_executable target)
-  _ament_auto_parse(${ARGN})
-  add_executable(${target} ${_auto_sources})
-  _ament_auto_link(${target} BUILD)
-  list(APPEND ${PROJECT_NAME}_EXECUTABLES ${target})
+  _ament_auto_add(add_executable EXECUTABLES ${target} ${ARGN})
 endmacro()
 
 # ament_auto_add_library(target [DIRECTORY folder] [NO_TARGET_LINK_LIBRARIES] [SHARED|STATIC] source…)
 macro(ament_auto_add_library target)
+  _ament_auto_add(add_library LIBRARIES ${target} ${ARGN})
+endmacro()
+
+macro(_ament_auto_add command list target)
   _ament_auto_parse(${ARGN})
-  add_library(${target} ${_auto_sources})
+  cmake_language(CALL ${command} ${target} ${_auto_sources})
   _ament_auto_link(${target} BUILD)
-  list(APPEND ${PROJECT_NAME}_LIBRARIES ${target})
+  list(APPEND ${PROJECT_NAME}_${list} ${target})
 endmacro()
 
 # ament_auto_add_gtest(target source…), ament_auto_add_gmock(target source…): with the arguments of ament_add_…
