@@ -60,8 +60,17 @@ def test_monitor(learner):
         'at-once',
     )
     check_second(learner, rates, gaps, lidar, node, stamp)
-    monitors.check_exact(learner, beside=node)
-    monitors.check_zero(learner, beside=node)
+
+
+@pytest.mark.rules('limit', 'report')
+def test_limits(learner):
+    """A RateMonitor compares whole nanoseconds, and 0 is a limit like any other.
+
+    Subtract stamps as Time objects, or as whole nanoseconds. A report has the number of scans, and no quotient.
+    """
+    monitors.start(learner, robot(learner.random), 1.25)  # its endpoints are judged
+    monitors.check_exact(learner)
+    monitors.check_zero(learner)
 
 
 def draw_steps(random, max_gap):
