@@ -8,6 +8,7 @@ from typing import Any
 
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.two_goals import send_two
 from helpers.runner import expect
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerCrashed, LearnerError
@@ -473,16 +474,7 @@ def check_two_at_once(printer: Printer) -> None:
     """
     learner, client = printer.learner, printer.ends[0]
     for line in range(1, MOST_LINES):
-        printer.node.switch(line, hold=True)
-        both = client.send(order=1), client.send(order=1)
-        client.patient = False  # who stands aside gives no answer
-        learner.settle()
-        learner.settle()  # the second one may come a bit later
-        done = all(goal.accepted is not None for goal in both)
-        _, stood = printer.node.switch(0)
-        client.patient = True
-        learner.settle()
-        accepted = [goal for goal in both if goal.accepted]
+        accepted, answered, stood = send_two(learner, printer.node, client, line, order=1)
         told = f'{printer.called} got two goals at one moment, when none ran or waited, and {len(accepted)} of them '
         expect(
             len(accepted) < 2,
@@ -493,7 +485,7 @@ def check_two_at_once(printer: Printer) -> None:
         )
         expect(accepted, f'{told}were accepted, expected one.', 'places')
         learner.run(2 * PAGE, step=PAGE, until=lambda goal=accepted[0]: goal.done)
-        if done and line >= LEAST_LINES:
+        if answered and line >= LEAST_LINES:
             break
 
 

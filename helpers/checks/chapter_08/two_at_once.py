@@ -4,6 +4,7 @@ from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 from std_msgs.msg import String
 
+from helpers.checks.chapter_05.two_goals import send_two
 from helpers.checks.chapter_08.held_robot import AWAY, GATE, Held
 from helpers.runner import about, expect
 
@@ -24,17 +25,8 @@ def judge_two_goals(learner) -> None:
     _judge_end(held, held.go('next'), 'A goal came', 'succeeds')
     for place in range(1, MOST_PLACES):
         held.stand(*AWAY, 0.1)
-        held.node.switch(place, hold=True)
         with about('single'):
-            both = held.send(), held.send()
-            held.client.patient = False
-            learner.settle()
-            learner.settle()  # the second one may come a bit later
-            done = all(goal.accepted is not None for goal in both)
-            _, stood = held.node.switch(0)
-            held.client.patient = True
-            learner.settle()
-        accepted = [goal for goal in both if goal.accepted]
+            accepted, answered, stood = send_two(learner, held.node, held.client, place, station='gate')
         expect(
             accepted,
             f'{place - 1} goals have ended, two came after that, and both were rejected. The station is known, and no '
@@ -49,7 +41,7 @@ def judge_two_goals(learner) -> None:
             'single',
         )
         _judge_end(held, accepted[0], 'Two goals came at one moment, and one was accepted', 'single')
-        if done and place >= LEAST_PLACES:
+        if answered and place >= LEAST_PLACES:
             break
 
 

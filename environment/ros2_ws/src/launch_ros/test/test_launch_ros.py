@@ -19,6 +19,7 @@ from launch_ros import utilities
 from launch_ros.actions import Node, PushRosNamespace, RosTimer, SetParameter, SetRemap, SetROSLogDir, SetUseSimTime
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from launch_ros.parameters import evaluate_parameters
+from launch_ros.ros_adapters import get_ros_adapter, get_ros_node
 from launch_ros.substitutions import FindPackageShare
 from rclpy.exceptions import InvalidNodeNameException
 from rosgraph_msgs.msg import Clock
@@ -72,6 +73,16 @@ def test_values_with_substitutions_are_lists_texts_or_refused(given, value):
             evaluate_parameters(LaunchContext(), {'x': given})
     else:
         assert evaluate_parameters(LaunchContext(), {'x': given}) == {'x': value}
+
+
+def test_an_action_of_ones_own_finds_the_node_and_the_executor_of_the_launch():
+    context = LaunchContext()
+    adapter = get_ros_adapter(context)
+    try:
+        assert get_ros_adapter(context) is adapter and get_ros_node(context) is adapter.node
+        assert adapter.node in adapter.executor.get_nodes() and adapter.node.context is adapter.context
+    finally:
+        adapter.shutdown()
 
 
 def test_the_parameters_of_a_node_can_be_looked_at(tmp_path):

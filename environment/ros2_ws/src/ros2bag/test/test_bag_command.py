@@ -230,7 +230,12 @@ def test_several_bags_are_played_as_one(ros2, listener, numbers):
     writer.close()
     heard = listener.hear(Int32, '/number')
     bags = ('-i', numbers, 'mcap', '-i', 'between')
-    assert ros2.run('bag', 'play', *bags, '-r', '5', '-d', '2', '--disable-keyboard-controls').returncode == 0
+    assert (
+        ros2.run(
+            'bag', 'play', *bags, '-r', '5', '-d', '2', '--disable-keyboard-controls', '--disable-loan-message'
+        ).returncode
+        == 0
+    )
     listener.until(lambda: len(heard) >= 12, 'twelve numbers')
     assert [message.data for _, message in heard] == [0, 100, *range(1, 10), 101]
     assert 'do not mix the [bag_path] positional argument and the -i' in ros2.error('bag', 'play', 'between', *bags)
