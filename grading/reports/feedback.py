@@ -101,7 +101,6 @@ def _facts(record: Record) -> list[tuple[str, str]]:
         ('Handed in', line(record.source) + (f', {_when(record.handed_in)}' if record.handed_in else '')),
         ('SHA-256', record.sha256[:16]),
         ('Graded as', record.key[:16]),
-        ('Seed', line(record.seed)),
         ('Sandbox', line(record.sandbox)),
         (
             'Earlier',

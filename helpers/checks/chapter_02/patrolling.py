@@ -8,6 +8,7 @@ import json
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
+from random import SystemRandom
 
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
@@ -561,24 +562,29 @@ def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str], told
         expect(TESTS in own, _no_file(learner, TESTS))
     with about('round-trip'):
         expect(ROUTE in own, _no_file(learner, ROUTE))
+    rights, noticed = list(rights), {}
+    order = [*wrong.values(), *rights]
+    SystemRandom().shuffle(order)  # the learner's tests may count the runs, and must not know which function comes when
     with about('notices'):
-        for what, body in wrong.items():
-            status, said = _pytest(learner, {ROUTE: _with(own[ROUTE], body, learner)})
+        for body in order:
+            status, said = _pytest(learner, {ROUTE: _with(own[ROUTE], body)})
             expect(status != _NO_TESTS, f'{TESTS} notices nothing: {said}.')
+            more = f': {said}' if told else '. Compare the whole list, and ask for nothing that the card does not.'
             expect(
-                status != 0,
+                body not in rights or status == 0, f'Your tests do not pass with another round_trip that is right{more}'
+            )
+            noticed[body] = status != 0
+        for what, body in wrong.items():
+            expect(
+                noticed[body],
                 f'Your tests pass with a round_trip that {what}: call it with two stations or more, and compare the '
                 'whole list with assert.',
             )
-        for body in rights:
-            status, said = _pytest(learner, {ROUTE: _with(own[ROUTE], body, learner)})
-            more = f': {said}' if told else '. Compare the whole list, and ask for nothing that the card does not.'
-            expect(status == 0, f'Your tests do not pass with another round_trip that is right{more}')
 
 
-def _with(module: str, body: str, learner) -> str:
+def _with(module: str, body: str) -> str:
     """The learner's module with another function in it, which is written differently each time."""
-    function = disguise.disguised(f'def round_trip(stations):\n    {body}\n', ['append', 'copy'], learner.random)
+    function = disguise.disguised(f'def round_trip(stations):\n    {body}\n', ['append', 'copy'], SystemRandom())
     return f'{module}\n\n{function}\n'
 
 

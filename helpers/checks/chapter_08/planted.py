@@ -16,7 +16,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path, PurePosixPath
-from random import Random
+from random import SystemRandom
 from time import monotonic as _now
 from typing import Any
 
@@ -122,7 +122,7 @@ def judge(
     tests = learner.text(subject.tests)
     key = 'planted', hashlib.sha256(json.dumps([str(subject.module), tests, right, others]).encode()).hexdigest()
     if key not in learner.server.workspaces:
-        order = _order(right, others, learner.random)
+        order = _order(right, others)
         run = _run_robots if subject.ros else _run_functions
         programs = {name: (right | others)[name] for name in order}
         learner.server.workspaces[key] = run(learner, programs, list(right), subject, tests)
@@ -141,13 +141,13 @@ def judge(
     return outcomes
 
 
-def _order(right: Iterable[str], others: Iterable[str], random: Random) -> list[str]:
+def _order(right: Iterable[str], others: Iterable[str]) -> list[str]:
     """In which order the programs are run. The right ones keep their own: what the first of them shows is told first.
 
     They may be anywhere. The learner's tests can find out how many were run before (by the time, or by the numbers of
-    processes), and must not know from it which are right.
+    processes), and must not know from it which are right. So no seed gives the order: seeds stand in reports.
     """
-    right, others = list(right), list(others)
+    right, others, random = list(right), list(others), SystemRandom()
     random.shuffle(others)
     places = set(random.sample(range(len(right) + len(others)), len(right)))
     return [(right if place in places else others).pop(0) for place in range(len(right) + len(others))]
@@ -207,7 +207,7 @@ def _run_robots(
     learner, programs: dict[str, Any], right: list[str], subject: Subject, tests: str
 ) -> dict[str, Outcome]:
     """Some side by side."""
-    path, random = f'test/test_{subject.module.name}', learner.random
+    path, random = f'test/test_{subject.module.name}', SystemRandom()  # as for the order
     pool = disguise.names(text for texts in programs.values() for text in texts.values())
     waiting, outcomes = list(programs), {}
     with ExitStack() as held:
