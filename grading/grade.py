@@ -10,7 +10,7 @@ the folder is made from these files, at the end of each run.
 """
 
 import contextlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -178,7 +178,20 @@ class _Run:
                 submission = replace(submission, learner=learner, notes=[*submission.notes, note])
             taken.add(submission.learner)
             told.append(submission)
-        return list({submission.learner: submission for submission in told}.values())
+        return list(self._one_each(told))
+
+    def _one_each(self, submissions: list[Submission]) -> Iterator[Submission]:
+        """No submission is lost because two have one id in the end: the second one gets an id of its own."""
+        used: set[str] = set()
+        for submission in sorted(submissions, key=lambda one: one.learner != identity(one.own)):
+            learner, own = submission.learner, submission.own
+            while learner in used:
+                learner, own = apart(own), f'{own} '
+            if learner != submission.learner:
+                note = f"{submission.learner} is the id of another submission: taken as {learner}'s"
+                submission = replace(submission, learner=learner, notes=[*submission.notes, note])
+            used.add(learner)
+            yield submission
 
     def _lent(self, record: Record) -> bool:
         """Whether a record has its id from a zip, and not from the name under which it was handed in.

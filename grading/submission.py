@@ -36,7 +36,9 @@ from helpers.runner import results, verdicts
 MAX_ARCHIVE = 50 * 2**20  # bytes of a zip
 MAX_MEMBERS = 200
 MAX_TOTAL = 60 * 2**20  # bytes of all members that are read
-_COPY = re.compile(r'( ?\(\d+\)| - Copy)$')  # what browsers and desktops add to the name of a second file
+_COPY = re.compile(
+    r'(( ?\(\d+\)| - Copy| copy( \d+)?)+)$'
+)  # what browsers and desktops add to the name of a second file
 
 
 _DAMAGED = 'The zip is damaged: make it again with submit.'
@@ -366,6 +368,11 @@ def apart(own: str) -> str:
     """An id for a name whose plain id is another learner's: so long that nobody finds a name which gives it, too."""
     digest = hashlib.sha256(own.encode()).hexdigest()[:20]
     return f'{identity(own)[:43]}-{digest}'
+
+
+def is_apart(learner: str) -> bool:
+    """Whether an id has the form of those that `apart` gives."""
+    return bool(re.search(r'-[0-9a-f]{20}$', learner))
 
 
 def identity(name: str) -> str:

@@ -19,7 +19,18 @@ from pathlib import Path
 
 from grading import reader
 from grading.record import Attempt
-from grading.submission import Submission, Unusable, apart, changed, identity, is_notebook, own_name, read, written
+from grading.submission import (
+    Submission,
+    Unusable,
+    apart,
+    changed,
+    identity,
+    is_apart,
+    is_notebook,
+    own_name,
+    read,
+    written,
+)
 
 _CHAPTER = re.compile(r'\d\d_.*\.ipynb')  # a file name; downloads add words such as " (1)" behind the number
 _MOODLE = re.compile(r'(?P<who>.+_\d+)_assignsubmission_(file|onlinetext)(_(?P<file>.*))?')
@@ -209,7 +220,12 @@ def _name(found: list[Submission]) -> None:
         name, label = submission.learner, submission.label
         if label in ('', name) or submission.platform:
             continue
-        if label in named:
+        if is_apart(label):
+            submission.notes.append(
+                f"submission.json says that it is {label}'s, which is an id that only the grader gives, to tell names "
+                f"apart: taken as {name}'s, by the name of the file"
+            )
+        elif label in named:
             submission.notes.append(
                 f"submission.json says that it is {label}'s, whose own submission is there, too: "
                 f"taken as {name}'s, by the name of the file"

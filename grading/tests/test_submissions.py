@@ -294,7 +294,8 @@ def test_reading_keeps_nothing_open(tmp_path):
 
 def test_ids_stay_apart():
     assert submission.identity('Zoë') == 'Zoe'
-    assert submission.identity('submission-ada (1)') == submission.identity('ada') == 'ada'
+    for copy in ('submission-ada (1)', 'ada - Copy (2)', 'ada copy', 'ada copy 3', 'ada (1) (1)'):
+        assert submission.identity(copy) == submission.identity('ada') == 'ada'
     names = ('王芳', '李娜', 'x' * 70, 'x' * 71)
     assert len({submission.identity(name) for name in names}) == len(names)
 

@@ -10,7 +10,7 @@ import zipfile
 import pytest
 
 from grading import grade, late, submissions, unit
-from grading.submission import Unusable
+from grading.submission import Unusable, apart, own_name
 from grading.tests import runs
 from helpers.tests import small
 
@@ -86,6 +86,38 @@ def test_an_id_that_is_on_record_is_not_taken(tmp_path, handed_in):
     packed(handed_in / 'eve.zip', 'nothing', 'ada')
     records = graded(tmp_path)
     assert (records['ada'].score, records['eve'].score) == (FULL, FULL / 2)
+
+
+@pytest.mark.parametrize('victim', ['José', 'Jose'])
+@pytest.mark.parametrize('attacker', ['mallory', 'Zoe', 'submission-x (1)'])
+def test_an_id_that_the_grader_gives_is_taken_by_no_zip(tmp_path, handed_in, victim, attacker):
+    """The ids that tell names apart are known to everybody: a zip that says one gets its file's name."""
+    for name in ('José', 'Jose'):
+        packed(handed_in / f'{name}.zip', 'ada')
+    packed(handed_in / f'{attacker}.zip', 'nothing', apart(victim))
+    records = graded(tmp_path)
+    assert {record.own: record.score for record in records.values()} == {
+        'José': FULL,
+        'Jose': FULL,
+        own_name(handed_in / f'{attacker}.zip'): FULL / 2,
+    }
+    assert any(apart(victim) in note for record in records.values() for note in record.notes)
+
+
+@pytest.mark.parametrize('label', [apart('Jose'), apart('José'), 'Jose'])
+def test_no_work_is_lost_when_an_id_was_taken_in_an_earlier_run(tmp_path, handed_in, label):
+    packed(handed_in / 'José.zip', 'ada')
+    graded(tmp_path)
+    (handed_in / 'José.zip').unlink()
+    packed(handed_in / 'Jose.zip', 'ada')
+    packed(handed_in / 'mallory.zip', 'nothing', label)
+    for _ in range(2):
+        records = graded(tmp_path)
+        assert {record.own: record.score for record in records.values()} == {
+            'José': FULL,
+            'Jose': FULL,
+            'mallory': FULL / 2,
+        }
 
 
 BROKEN = [b'caf\xe9', b'\xff\xfe', b'\xe9\nx', b'Jane \xe9_1_assignsubmission_file', b'doe\xe9_LATE_1_2_x']
