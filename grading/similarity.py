@@ -1,9 +1,10 @@
 """Near-duplicates between submissions: a hint for a talk, never a verdict.
 
 Answers are compared exercise by exercise, as programs and not as text. A cell is parsed; comments, layout, docstrings,
-annotations and the contents of short texts and of numbers are dropped, and every name that the learner chose becomes
-the same sign. A text of several lines, and one that is executed, is an answer in itself: it is compared as the program
-that it is, or else, as for XML, YAML and CMake, by its words and signs, without comments and numbers.
+annotations, statements that do nothing and the contents of short texts and of numbers are dropped, and every name that
+the learner chose becomes the same sign. A text of several lines, and one that is executed, is an answer in itself: it
+is compared as the program that it is, or else, as for XML, YAML and CMake, by its words and signs, without comments and
+numbers.
 Names of others (rclpy's methods, modules, keyword arguments) stay: they are what tells programs apart. The rest
 is a sequence of tokens, of which every `GRAM` neighbours are hashed, and of these hashes a part is kept, by the
 winnowing of Schleimer, Wilkerson and Aiken ("Winnowing: local algorithms for document fingerprinting", 2003), so that
@@ -27,12 +28,13 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
+from functools import cache
 from hashlib import blake2b
 from itertools import combinations
 
 from grading import reader
 from helpers import paths
-from helpers.exercises import cell_python, packages, program
+from helpers.exercises import cell_python, definitions, packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import NotebookCell
 
@@ -113,7 +115,8 @@ class _Tokens:
 
     def __init__(self, tree: ast.Module):
         self.tokens: list[str] = []
-        self._own = set(_names(tree))
+        self._own, self._imported = set(_names(tree)), dict(_imported(tree))
+        self._idle = _never_read(tree)
         self._node(tree)
 
     def _node(self, node: ast.AST) -> None:
@@ -121,6 +124,29 @@ class _Tokens:
             case ast.Load() | ast.Store() | ast.Del() | ast.Pass():
                 return
             case ast.Expr(value=ast.Constant()):  # a docstring, or a text in place of a comment
+                return
+            case ast.Assert(test=ast.Constant()):
+                return
+            case ast.Expr(value=ast.Call(func=ast.Name(id='print'), args=args)) if _constant(args):
+                return
+            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Constant(value=value)) if (
+                name in self._idle and not isinstance(value, (str, bytes))
+            ):
+                return
+            case ast.If(test=ast.Constant(value=value)) if value:
+                for part in node.body:
+                    self._node(part)
+                return
+            case ast.Call(func=ast.Name(id='int' | 'float'), args=[ast.Constant(value=value) as number]) if type(
+                value
+            ) in (int, float):
+                self._node(number)
+                return
+            case ast.Name(id=name) if name in self._imported:
+                self.tokens += ['Name', self._imported[name]]
+                return
+            case ast.alias(name=name):
+                self.tokens += ['alias', name]
                 return
             case ast.Call(func=ast.Name(id='exec' | 'eval' | 'compile'), args=[ast.Constant(value=str(text)), *_]):
                 self._text(text)
@@ -174,16 +200,34 @@ def _names(tree: ast.AST) -> Iterable[str]:
                 yield name
             case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
                 yield name
-            case ast.ExceptHandler(name=str(name)) | ast.alias(asname=str(name)):
+            case ast.ExceptHandler(name=str(name)):
                 yield name
 
 
+def _imported(tree: ast.AST) -> Iterable[tuple[str, str]]:
+    """What each name that is imported under another one is called where it comes from."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.alias(name=name, asname=str(other)):
+                yield other, name
+
+
+def _never_read(tree: ast.AST) -> set[str]:
+    """The names in functions and at the top to which something is assigned, and which nothing reads."""
+    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    return {node.id for node in names if isinstance(node.ctx, ast.Store)} - {
+        node.id for node in names if isinstance(node.ctx, ast.Load)
+    }
+
+
+def _constant(nodes: Iterable[ast.AST]) -> bool:
+    return all(isinstance(node, ast.Constant) for node in nodes)
+
+
 def cells_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[str, str]:
-    """The text of each exercise's cell in a submission's notebooks, as grading takes it; without doubled ones.
+    """The text of each answer in a submission's notebooks, as grading takes it; without doubled ones.
 
     A package counts with its programs and tests, without what `ros2 pkg create` writes.
-
-    Only the text is looked for, without a full check of the notebook, which grading has made already.
     """
     found: dict[str, list[str]] = defaultdict(list)
     wanted: dict[str, list[Exercise]] = defaultdict(list)
@@ -193,10 +237,43 @@ def cells_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[
         names = [notebook] if notebook in files else [name for name in files if '/' not in name]
         code = [cell for name in names for cell in _code(files[name])]
         for one in mine:
-            found[one.id] = [cell.source for cell in program.of_exercise(code, one)]
+            found[one.id] = _texts(code, one)
             if one.folder and (texts := _programs_of(one, files)):
                 found[one.id] = texts
     return {exercise: texts[0] for exercise, texts in found.items() if len(texts) == 1}
+
+
+def _texts(code: list[NotebookCell], exercise: Exercise) -> list[str]:
+    """The answer as grading takes it, with what it uses of the learner's own cells; else what claims to be one."""
+    try:
+        answer = program.build(code, exercise).answer
+    except (program.InvalidExercise, program.NotAttempted, RecursionError):
+        return [cell.source for cell in program.of_exercise(code, exercise)]
+    given = _given(exercise.notebook)
+    parts = [
+        text
+        for cell in code
+        if program.exercise_id(cell) is None and cell.source.strip() not in given and cell.id != exercise.cell_id
+        for _, text in definitions.of_cell(cell)
+    ]
+    makers: dict[str, list[str]] = defaultdict(list)
+    for text in parts:
+        for name in definitions.names_made(text):
+            makers[name].append(text)
+    needed = definitions.reached(
+        definitions.names_used(answer),
+        lambda name: [used for text in makers.get(name, ()) for used in definitions.names_used(text)],
+    )
+    have = definitions.names_in(answer)
+    chosen = {text for name in needed - have for text in makers.get(name, ())}
+    return ['\n'.join([answer, *(text for text in dict.fromkeys(parts) if text in chosen)])]
+
+
+@cache
+def _given(notebook: str) -> frozenset[str]:
+    """The cells of a notebook as it was given."""
+    path = paths.NOTEBOOKS / notebook
+    return frozenset(cell.source.strip() for cell in _code(path.read_bytes())) if path.is_file() else frozenset()
 
 
 def _programs_of(exercise: Exercise, files: Mapping[str, bytes]) -> list[str]:

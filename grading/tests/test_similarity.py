@@ -58,6 +58,53 @@ def test_a_disguised_copy_is_found(exercise):
     assert (pair.first, pair.second) == ('l000', 'l001') and pair.share >= similarity.ALIKE
 
 
+STATEMENT = re.compile(r'^( {8})(?=self\.|if |for |return|[a-z_]+ = )', re.MULTILINE)  # in the body of a method
+
+
+@pytest.mark.parametrize(
+    'change',
+    [
+        lambda text: STATEMENT.sub(r'\1assert True\n\1', text),
+        lambda text: STATEMENT.sub(r'\1_1 = 3\n\1', text),
+        lambda text: STATEMENT.sub(r"\1print(end='')\n\1", text),
+        lambda text: STATEMENT.sub(r'\1if True:\n\1    pass\n\1', text),
+        lambda text: re.sub(r'\b(\d+)\b', r'int(\1)', text),
+        lambda text: 'from std_msgs.msg import Float64 as Mine\n' + re.sub(r'\bFloat64\b', 'Mine', text),
+    ],
+    ids=['assertions', 'names', 'prints', 'branches', 'calls', 'imports'],
+)
+def test_what_does_nothing_hides_no_copy(change):
+    source = answers()['3.6']['solution']
+    assert change(source) != source and pairs(source, change(source))
+
+
+def as_notebook(*cells: str) -> dict[str, bytes]:
+    return {'03_nodes_and_topics.ipynb': small.notebook(*cells)}
+
+
+def test_an_answer_in_several_cells_is_found():
+    """A note with the heading, a try, a class above the answer, an answer over two cells: as grading takes them."""
+    heading, body = answers()['3.6']['solution'].split('\n', 1)
+    whole = as_notebook(f'{heading}\n{body}')
+    copies = [
+        as_notebook(f'{heading}\n{body}', f'{heading}\n# a note'),
+        as_notebook(f'{heading}\n{body}', f'{heading}\nprint(1)'),
+        as_notebook(body.replace('RateMonitor', 'Mine'), f'{heading}\nclass RateMonitor(Mine):\n    pass'),
+        as_notebook(f'{heading}\nimport math', body),
+    ]
+    exercise = [one for one in EXERCISES if one.id == '3.6']
+    for copy in copies:
+        prints = [similarity.fingerprints(similarity.cells_of(files, exercise)['3.6']) for files in (whole, copy)]
+        assert similarity.find(dict(enumerate({'3.6': marks} for marks in prints)), STUBS), copy
+
+
+def test_given_cells_and_other_answers_do_not_count():
+    given = [cell.source for cell in similarity._code((paths.NOTEBOOKS / '03_nodes_and_topics.ipynb').read_bytes())]
+    cells = ['# Exercise 3.6: x\nclass RateMonitor(Beacon):\n    pass', answers()['3.1']['solution'], *given[:12]]
+    exercise = [one for one in EXERCISES if one.id == '3.6']
+    assert similarity.cells_of(as_notebook(*cells), exercise)['3.6'].strip() == cells[0]
+
+
 def test_moved_and_extended_parts_are_found():
     source = answers()['3.6']['solution']
     assert pairs(source, 'import math\n\n\ndef unused(x):\n    return [x + 1 for _ in range(3)]\n\n\n' + source)
