@@ -12,6 +12,7 @@ from contextlib import suppress
 from pathlib import Path
 
 MAP, WATCH, PIPE = 512, 192, 64 * 2**10  # bytes, rounded up
+MAX_WATCHES = 100_000  # of epoll: the kernel bounds their number for a user, and so for all submissions together
 MAX_LOCKS = 20_000  # more of them are too many in any case: to list them all would take the kernel longer and longer
 _CHUNK = 2**18  # bytes of a file of /proc
 
@@ -22,29 +23,33 @@ def held(processes: Path, most: int) -> int:
     :param processes: the /proc of a process namespace.
     """
     pipes: set[str] = set()
-    total = locks = 0
+    total = locks = watches = 0
     for part in _lines(processes / 'locks', b' POSIX '):
         locks += part
         if locks > MAX_LOCKS:
             return most
-    for part in _parts(processes, pipes):
-        total += part
+    for size, count in _parts(processes, pipes):
+        total += size * count
+        watches += count if size == WATCH else 0
+        if watches > MAX_WATCHES:
+            return most
         if total + PIPE * len(pipes) >= most:
             break
     return total + PIPE * len(pipes)
 
 
-def _parts(processes: Path, pipes: set[str]) -> Iterator[int]:
+def _parts(processes: Path, pipes: set[str]) -> Iterator[tuple[int, int]]:
+    """Sizes of objects, and how many of these there are; pipes are put into `pipes`."""
     for name in os.listdir(processes):
         if name.isdecimal() and name != '1':
             for part in _lines(processes / name / 'maps', b'\n'):
-                yield part * MAP
+                yield MAP, part
             for link, number in _open_files(processes / name):
                 if link.startswith('pipe:'):
                     pipes.add(link)
                 elif link == 'anon_inode:[eventpoll]':
                     for part in _lines(processes / name / 'fdinfo' / number, b'tfd:'):
-                        yield part * WATCH
+                        yield WATCH, part
 
 
 def _open_files(process: Path) -> Iterator[tuple[str, str]]:
