@@ -4,6 +4,7 @@ It packs the learner's notebooks, runs the same `grade` command as anywhere else
 Everything printed is for the instructor. A fault of the grader's gives no score and status 1, never a zero.
 """
 
+import itertools
 import json
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from environment.setup import whole_file
 from grading.record import Record
 from grading.reports import gradescope
 from helpers import paths
+from helpers.exercises import packages
 
 CONFIG = 'autograder.json'
 MAX_NOTEBOOKS = 100
@@ -82,10 +84,10 @@ def main(root: Path) -> int:
 
 
 def pack(folder: Path, archive: Path) -> None:
-    """Put the notebooks of an upload, or of a repository, into one zip; links are left out.
+    """Put the notebooks and packages of an upload, or of a repository, into one zip; links are left out.
 
     Notebooks at the top count; without one there, those in `notebooks/`; without one there, any. A zip that Gradescope
-    left packed is taken as it is.
+    left packed is taken as it is; one that it has unpacked has the packages beside the notebooks.
     """
     found = _notebooks(folder, '*') or _notebooks(folder / 'notebooks', '*') or _notebooks(folder, '**/*')
     packed = [path for path in sorted(folder.glob('*.zip')) if path.is_file() and not path.is_symlink()]
@@ -93,21 +95,28 @@ def pack(folder: Path, archive: Path) -> None:
         archive.write_bytes(packed[0].read_bytes())
         return
     with zipfile.ZipFile(archive, 'w', zipfile.ZIP_DEFLATED) as target:
-        for path in found[:MAX_NOTEBOOKS]:
+        for path in [*found[:MAX_NOTEBOOKS], *_of_packages(folder)]:
             target.write(path, path.relative_to(folder).as_posix())
 
 
 def _notebooks(folder: Path, pattern: str) -> list[Path]:
-    return [
-        path
-        for path in sorted(folder.glob(f'{pattern}.ipynb'))
-        if path.is_file()
-        and not any(
-            part.is_symlink() or part.name.startswith('.')
-            for part in [path, *path.parents]
-            if part.is_relative_to(folder) and part != folder
-        )
-    ]
+    return [path for path in sorted(folder.glob(f'{pattern}.ipynb')) if _is_handed_in(path, folder)]
+
+
+def _of_packages(folder: Path) -> list[Path]:
+    """The files of packages; no more than one of them too many, which grading then says."""
+    inside = (path for path in folder.rglob('*') if packages.place(path.relative_to(folder).as_posix()))
+    small = (path for path in inside if _is_handed_in(path, folder) and path.stat().st_size <= 2 * packages.MAX_FILE)
+    return sorted(itertools.islice(small, packages.MAX_FILES + 1))
+
+
+def _is_handed_in(path: Path, folder: Path) -> bool:
+    """Whether this is a regular file that neither is nor is in anything hidden or linked."""
+    return path.is_file() and not any(
+        part.is_symlink() or part.name.startswith('.')
+        for part in [path, *path.parents]
+        if part.is_relative_to(folder) and part != folder
+    )
 
 
 def _learner(metadata: Path) -> str:

@@ -204,6 +204,17 @@ def test_a_file_that_vanishes_meanwhile_is_left_out(tmp_path, monkeypatch):
         ({'notebooks/b.ipynb': b'2', 'other/c.ipynb': b'3'}, ['notebooks/b.ipynb']),
         ({'deep/er/c.ipynb': b'3', '.git/d.ipynb': b'4', 'x/.ipynb_checkpoints/e.ipynb': b'5'}, ['deep/er/c.ipynb']),
         ({'readme.txt': b''}, []),
+        (
+            {
+                'a.ipynb': b'1',
+                'submission.json': b'{}',
+                'my_ws/src/patrol/setup.py': b'x',
+                'my_ws/src/patrol/patrol/route.py': b'y',
+                'my_ws/src/patrol/.hidden': b'z',
+                'my_ws/build/patrol/z.py': b'z',
+            },
+            ['a.ipynb', 'my_ws/src/patrol/patrol/route.py', 'my_ws/src/patrol/setup.py'],
+        ),
     ],
 )
 def test_what_is_packed(tmp_path, files, packed):

@@ -10,6 +10,7 @@ from helpers import paths
 from helpers.exercises import manifest, notebooks
 from helpers.exercises.migration_report import MigrationError, MigrationReport
 
+MAX_DEPTH = 100  # of lists and dictionaries within each other: what Python can copy
 BACKUP = 'backup-'  # how the names of folders with earlier notebooks begin
 _CHAPTER = re.compile(r'(\d\d)_\w+\.ipynb')
 
@@ -52,7 +53,9 @@ def read(path: Path) -> dict:
         notebooks.parse(data, path.name)  # it is a notebook
     except notebooks.InvalidSubmission as error:
         raise MigrationError(f'{path.parent}: {error}') from None
-    notebook = json.loads(data.decode('utf-8-sig'))
+    notebook = json.loads(data.decode('utf-8-sig'), parse_int=notebooks.whole_number)
+    if _deeper_than(MAX_DEPTH, notebook):
+        raise MigrationError(f'{path}: something in it is nested more than {MAX_DEPTH} deep. Clear its outputs.')
     for cell in notebook['cells']:
         if not isinstance(cell['source'], str):
             cell['source'] = ''.join(cell['source'])
@@ -65,6 +68,18 @@ def read(path: Path) -> dict:
         if not isinstance(pictures, dict) or not all(isinstance(one, dict) for one in pictures.values()):
             del cell['attachments']
     return notebook
+
+
+def _deeper_than(most: int, value: object) -> bool:
+    """Whether lists and dictionaries in a JSON value are within each other more than so many times."""
+    level = [value]
+    for _ in range(most + 1):
+        level = [
+            inner
+            for one in level
+            for inner in (one.values() if isinstance(one, dict) else one if isinstance(one, list) else ())
+        ]
+    return bool(level)
 
 
 def write(report: MigrationReport, folder: Path, changed: dict[str, dict]) -> None:

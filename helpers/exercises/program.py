@@ -197,7 +197,7 @@ def _only_cell(cells: list[NotebookCell], exercise: Exercise) -> NotebookCell:
     found = of_exercise(cells, exercise) or _with_heading_inside(cells, exercise)
     if not found:
         raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be `{heading}`.')
-    answers = list({cell.source.strip(): cell for cell in found if is_answer(cell, exercise)}.values())
+    answers = list({_as_program(cell): cell for cell in found if is_answer(cell, exercise)}.values())
     answers = [cell for cell in answers if defines_all(cell, exercise)] or answers  # not those that only try the answer
     if len(found) > 1 and len(answers) != 1:
         several = answers or found
@@ -208,6 +208,12 @@ def _only_cell(cells: list[NotebookCell], exercise: Exercise) -> NotebookCell:
             + f': keep one cell that begins with `{heading}`.'
         )
     return found[0] if len(found) == 1 else answers[0]
+
+
+def _as_program(cell: NotebookCell) -> str:
+    """What two cells have in common that differ in comments and layout only."""
+    text = cell_python.below_magics(cell.source)
+    return cell.source.strip() if cell_python.syntax_tree(text) is None else stub_digest(text)
 
 
 def _with_heading_inside(cells: list[NotebookCell], exercise: Exercise) -> list[NotebookCell]:

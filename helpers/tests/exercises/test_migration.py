@@ -314,11 +314,19 @@ def test_a_chapter_with_another_name_is_the_same_chapter(case):
     assert case.sources() == [TITLE['source'], 'x = 1', ANSWER]
 
 
+def nested(depth: int) -> list:
+    inner: list = []
+    for _ in range(depth):
+        inner = [inner]
+    return inner
+
+
 @pytest.mark.parametrize(
     ('prepare', 'message'),
     [
         (lambda case: None, 'has no notebooks of the course'),
         (lambda case: (case.old / NAME).write_text('{'), 'is not valid JSON'),
+        (lambda case: case.write(case.old, [dict(TITLE, metadata={'a': nested(200)})]), 'nested more than 100 deep'),
         (lambda case: case.write(case.old, [TITLE]), 'get a complete copy'),
     ],
 )

@@ -110,7 +110,9 @@ def test_an_answer_that_was_split_or_merged():
     assert body in build(merged).cells[-1]['source']
 
 
-@pytest.mark.parametrize('copy', ['# class Talker: pass', 'pass', 'class Talker: pass\nx = 1'])
+@pytest.mark.parametrize(
+    'copy', ['# class Talker: pass', 'pass', 'class Talker: pass\nx = 1', 'class Talker:  # mine\n    pass\n\nx = 1  ']
+)
 def test_a_copy_that_is_no_answer_does_not_matter(copy):
     """A try that was commented out, what was given, the same once more."""
     stub = program.stub_digest('pass')
@@ -181,7 +183,7 @@ def test_missing_and_doubled():
     with pytest.raises(InvalidExercise, match=r'was not found: its first line must be `# Exercise 90.1: a talker`'):
         build(NotebookCell('class Talker: pass', 1))
     with pytest.raises(InvalidExercise, match=r'is there 2 times \(cells 2 and 5\)'):
-        build(small.cell('class Talker: pass'), NotebookCell('# Exercise 90.1: copy\nclass Talker: pass', 5))
+        build(small.cell('class Talker: pass'), NotebookCell('# Exercise 90.1: copy\nclass Talker: x = 1', 5))
 
 
 def test_heading_is_recognised_leniently_but_not_by_prefix():
