@@ -13,6 +13,8 @@ from helpers.show import dark_page
 
 _LEFT, _TOP, _RIGHT, _BOTTOM = 44, 34, 44, 44  # the margins, in pixels of turtlesim's picture
 _LINE = 28  # the height of a line of text
+_LETTER = 12  # the width of a letter
+_BELOW, _ABOVE = 48, 32  # from a turtle's middle to the foot of its name
 _TEXTS = 3  # turtles whose pose is written below
 _HEADING = 1.2  # m, the length of the line that shows where a turtle looks
 _LAST = 11  # m, the last line of the grid
@@ -49,6 +51,7 @@ def draw(world: World, size: int, goal: tuple[float, float] | None = None) -> st
             draw_svg(world),
             *_grid(),
             *(_heading(turtle) for turtle in turtles),
+            *(_name(turtle) for turtle in turtles if len(turtles) > 1),
             _mark(*goal) if goal is not None else '',
             '</g>',
             *(
@@ -82,6 +85,16 @@ def _heading(turtle) -> str:
         f'<path d="M {x:.1f} {y:.1f} l {dx:.1f} {dy:.1f}" stroke="#ffffff" stroke-width="3"/>'
         f'<circle cx="{x + dx:.1f}" cy="{y + dy:.1f}" r="5" fill="#ffffff"/>'
     )
+
+
+def _name(turtle) -> str:
+    """The turtle's name, on the side to which it does not look; near the border, inside of the world."""
+    x, y = to_pixels(turtle.x, turtle.y)
+    half = 0.5 * _LETTER * len(turtle.name)
+    x = min(max(x, half), PIXELS - half)
+    y += _BELOW if math.sin(turtle.theta) >= 0 else -_ABOVE
+    y = min(max(y, _LINE), PIXELS - _LINE // 2)
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="middle" fill="#ffffff">{escape(turtle.name)}</text>'
 
 
 def _mark(x: float, y: float) -> str:

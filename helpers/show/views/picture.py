@@ -6,7 +6,7 @@ the direction from which the live view looks at first; nearer things are painted
 
 import math
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from html import escape
 
 import numpy as np
@@ -34,6 +34,7 @@ from helpers.show.views.shapes import (
 VIEW_FROM = np.array((0.49, -0.70, 0.53)) / math.sqrt(0.49**2 + 0.70**2 + 0.53**2)  # as in web/viewer.js
 _RIGHT = np.cross((0.0, 0.0, 1.0), VIEW_FROM) / np.linalg.norm(np.cross((0.0, 0.0, 1.0), VIEW_FROM))
 _UP = np.cross(VIEW_FROM, _RIGHT)
+_BRIGHTNESS = np.array((0.3, 0.59, 0.11))  # what red, green and blue add to it
 _LIGHT = np.array((0.25, -0.5, 0.83))
 _LARGEST = 56_000  # characters; budgets are cut until the picture is smaller
 _MARGIN = (34, 46, 40, 70)  # pixels at the top, the left, the bottom and the right that hold names and captions
@@ -64,10 +65,17 @@ DARK_COLOURS = {
 }
 
 
-def dark_colours(named: Sequence[Item]) -> dict[str, str]:
-    """What the colours of a picture with these names become on a dark page: names that are dark there get light."""
-    colours = [np.array(item.shape.colour) for item in named]
-    lighter = {_hex(colour): _hex(0.8 + 0.2 * colour) for colour in colours if colour @ (0.3, 0.59, 0.11) < 0.5}
+def dark_colours(names: Iterable[Colour], marks: Iterable[Colour] = ()) -> dict[str, str]:
+    """What the colours of a picture become on a dark page.
+
+    :param names: of texts; a dark one becomes nearly white.
+    :param marks: of points and thin lines; a dark one becomes lighter.
+    """
+    lighter = {}
+    for colours, limit, least in ((marks, 0.35, 0.45), (names, 0.5, 0.8)):
+        for colour in map(np.array, colours):
+            if colour @ _BRIGHTNESS < limit:
+                lighter[_hex(colour)] = _hex(least + (1 - least) * colour)
     return lighter | DARK_COLOURS
 
 
@@ -103,6 +111,7 @@ class _ScenePicture:
         self.parts: list[Part] = []
         self.walls: list[tuple] = []  # faces that hide points: corners, outline, normal
         self.boxes: list[tuple] = []  # the places that names cover
+        self.marks: set[tuple] = set()  # the colours of points and lines
         self._fit(around)
 
     # Projection
@@ -171,12 +180,13 @@ class _ScenePicture:
                 '</g>',
             )
         )
+        colours = dark_colours([item.shape.colour for item in named], self.marks)
         return '\n'.join(
             (
                 f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
                 f'viewBox="0 0 {self.width} {self.height}" style="max-width:100%;height:auto" class="scene-picture" '
                 f'fill="none" stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
-                f'<style>{dark_page.rules(drawing, dark_colours(named), ".scene-picture")}</style>',
+                f'<style>{dark_page.rules(drawing, colours, ".scene-picture")}</style>',
                 drawing,
                 '</svg>',
             )
@@ -278,6 +288,7 @@ class _ScenePicture:
         else:  # in runs of one colour, and short enough to be hidden where something is nearer
             most = 2 if several else max(2, min(40, len(points) // 12))
             runs = [(i, min(i + most, len(points))) for i in range(0, len(points) - 1, most - 1)]
+        self.marks.update(map(tuple, shape.colours))
         for begin, end in runs:
             self._stroke(points[begin:end], shape.colours[begin if several else 0], shape.width, item.opacity, more)
 
@@ -297,6 +308,7 @@ class _ScenePicture:
         for place, colour in zip(np.round(flat[seen]).astype(int).tolist(), colours[seen].tolist(), strict=True):
             groups.setdefault(tuple(colour), {})[tuple(place)] = None
         width = min(6.0, max(1.5, shape.size * self.scale))
+        self.marks.update(groups)
         for colour, places in groups.items():
             path = ''.join(f'M{x} {y}h0' for x, y in places)
             self._add(

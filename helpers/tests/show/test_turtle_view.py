@@ -16,7 +16,7 @@ from helpers.show.turtle_pad import TurtlePad
 from helpers.show.turtle_view import TurtlePicture, World
 from helpers.show.widgets import VIEW
 
-from turtlesim_nodes.world import to_pixels  # isort: skip  (its folder is found by turtle_view)
+from turtlesim_nodes.world import PIXELS, to_pixels  # isort: skip  (its folder is found by turtle_view)
 
 SVG = 'image/svg+xml'
 
@@ -41,6 +41,26 @@ def test_a_world_is_shown_as_a_picture_and_as_text():
     texts = [element.text for element in drawing.iter() if element.tag.endswith('}text')]
     assert bundle['text/plain'] in texts and {'0', '10', 'x [m]', 'y [m]'} <= set(texts)
     assert bundle['text/plain'] == 'ada: x 2.00 m, y 3.00 m, theta 90°'
+
+
+def names_in(world: World) -> dict[str, tuple[float, float]]:
+    """Where the names of turtles stand in the picture, in pixels."""
+    return {
+        element.text: (float(element.get('x')), float(element.get('y')))
+        for element in ElementTree.fromstring(TurtlePicture(world).svg()).iter()
+        if element.tag.endswith('}text') and element.text in world.turtles
+    }
+
+
+def test_several_turtles_have_their_names_beside_them_inside_of_the_world():
+    world = World()
+    world.spawn(5.0, 5.0, 0.0, 'ada')
+    assert names_in(world) == {}
+    world.spawn(0.0, 0.0, math.pi / 2, 'a_long_name')
+    names = names_in(world)
+    assert math.dist(names['ada'], to_pixels(5.0, 5.0)) < 60
+    left, bottom = names['a_long_name']
+    assert left > 60 and bottom < PIXELS
 
 
 def test_where_a_turtle_looks_and_the_goal_are_drawn_at_their_places():

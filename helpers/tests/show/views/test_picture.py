@@ -222,6 +222,8 @@ def test_on_a_dark_page_texts_and_axes_stand_out_from_the_ground():
         ('a', Label('a')),
         ('b', Label('b', colour=(0.3, 0.4, 0.5))),
         ('c', Label('c', 0.1, (0, 0, 0))),
+        ('cloud', Points([[0, 0, 1], [0, 1, 1]], [(0, 0, 0.5), (1, 1, 0.8)])),
+        ('trail', Line([[0, 0, 0], [1, 0, 0]], [(0.1, 0.2, 0.4)])),
     ):
         scene.set(name, shape)
     text = picture.svg(scene, 'a caption', problems=['a problem'])
@@ -230,7 +232,9 @@ def test_on_a_dark_page_texts_and_axes_stand_out_from_the_ground():
     ground = changed[elements(text, 'rect')[0].get('fill')]
     words = {changed[element.get('fill')] for element in elements(text, 'text')}
     axes = {changed[picture._hex(colour)] for colour in (RED, GREEN, BLUE)}
-    assert len(words) == 5 and len(axes) == 3
+    strokes = {element.get('stroke') for element in elements(text, 'path')} - {picture._GRID}
+    marks = {changed.get(colour, colour) for colour in strokes} - axes - words
+    assert len(words) == 5 and len(axes) == len(marks) == 3
     assert min(contrast(colour, ground) for colour in words) > 4.5
-    assert min(contrast(colour, ground) for colour in axes) > 3
+    assert min(contrast(colour, ground) for colour in axes | marks) > 3
     assert changed['#fff'] == ground  # around the names
