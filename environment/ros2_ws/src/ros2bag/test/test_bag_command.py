@@ -22,7 +22,7 @@ from service_msgs.msg import ServiceEventInfo
 from std_msgs.msg import Int32, String
 from std_srvs.srv import SetBool
 
-from environment.tests.running import PATIENCE
+from environment.tests.running import PATIENCE, ROS2
 
 
 class Listener:
@@ -256,6 +256,23 @@ def test_play_keeps_the_pace(ros2, listener, numbers):
         ]
     assert [message.data for _, message in heard] == list(range(10))
     assert heard[-1][0] - heard[0][0] == pytest.approx(1.8, abs=0.7)  # 0.9 s at half the pace
+
+
+def test_play_obeys_its_keys(ros2, terminal, numbers):
+    player = terminal(ROS2, 'bag', 'play', str(ros2.directory / numbers), '--start-paused')
+    player.read_until('Playback until')
+    for key, said in (
+        ('\x1b[C ', 'Resuming play.'),  # plays the next message, without a word; and two keys at one time
+        ('\x1b[C', 'Called play next, but not in paused state.'),
+        (' ', 'Pausing play.'),
+        ('\x1b[A', 'Set rate to 1.1'),
+        (' ', 'Resuming play.'),
+    ):
+        player.press(key)
+        player.read_until(said)
+        assert said == 'Called play next, but not in paused state.' or 'Called' not in player.text
+        player.text = ''
+    assert player.wait() == 0
 
 
 def test_play_a_part_under_another_name_with_a_clock(ros2, listener, numbers):

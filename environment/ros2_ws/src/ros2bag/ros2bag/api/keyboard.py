@@ -27,7 +27,13 @@ def keys(enabled: bool = True):
 
 
 def _pressed(descriptor: int) -> str | None:
-    if not select.select([descriptor], [], [], 0)[0]:
+    if not _ready(descriptor):
         return None
-    data = os.read(descriptor, 3)
+    data = os.read(descriptor, 1)
+    if data == b'\x1b' and _ready(descriptor):
+        data += os.read(descriptor, 2)
     return _ARROWS.get(data) or data[:1].decode(errors='replace')
+
+
+def _ready(descriptor: int) -> bool:
+    return bool(select.select([descriptor], [], [], 0)[0])

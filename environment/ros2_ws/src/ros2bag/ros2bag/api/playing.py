@@ -116,6 +116,8 @@ def _act(running: Any, reader: Any, options: Any, log_level: str, act: Callable[
             logger.info('Pausing play.' if player.paused else 'Resuming play.')
         elif key == 'right':
             player.skip = player.paused
+            if not player.paused:
+                logger.warning('Called play next, but not in paused state.')
         elif key in ('up', 'down'):
             player.set_rate(player.rate * (1 + RATE_STEP if key == 'up' else 1 - RATE_STEP))
             logger.info(f'Set rate to {player.rate:g}')
