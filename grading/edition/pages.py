@@ -20,7 +20,8 @@ from grading.authoring import build as builder
 from grading.authoring import execution, figures, notebooks, outputs
 from grading.authoring.chapter import Chapter
 from grading.authoring.chapter_errors import AuthoringError, ChapterErrors
-from helpers.exercises import file_answers, start_page
+from grading.edition import file_lexer
+from helpers.exercises import start_page
 from helpers.show.views import recording
 
 TEMPLATES = Path(__file__).with_name('templates')
@@ -111,13 +112,10 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
     for cell, stub in zip(notebook.cells, notebooks.learner(chapter).cells, strict=True):
         if 'exercise' in cell.metadata or cell.cell_type == 'code' and cell.source.startswith('check('):
             cell.source, cell.outputs, cell.execution_count = stub.source, [], None
-            if file_answers.files(cell.source):
-                cell.metadata['magics_language'] = 'python'  # else a cell has no colours from its first magic on
         elif cell.cell_type == 'markdown':
             cell.source = _TO_A_CHAPTER.sub(r'](\1.html\2', stub.source)
-        elif cell.source.startswith('%%writefile'):
-            python = cell.source.partition('\n')[0].endswith('.py')
-            cell.metadata['magics_language'] = 'python' if python else 'text'  # most others stumble over the first line
+        if cell.cell_type == 'code' and file_lexer.has_files(cell.source):
+            cell.metadata['magics_language'] = file_lexer.NAME
         for output in cell.get('outputs', ()):
             if 'image/svg+xml' in output.get('data', ()):
                 output.data.pop('text/html', None)

@@ -9,7 +9,7 @@ from nbformat.v4 import new_output
 
 from grading.authoring import build
 from grading.authoring import chapter as chapters
-from grading.edition import pages
+from grading.edition import file_lexer, pages
 from grading.tests.authoring import sources
 from grading.tests.authoring.conftest import built, make_without_kernel, tree  # noqa: F401 - fixtures
 from grading.tests.authoring.test_figures import illustrated  # noqa: F401 - a fixture
@@ -57,17 +57,41 @@ def test_a_hint_stays_folded(built, tmp_path):  # noqa: F811
     assert re.search(r'<summary>Hint</summary>\s*<p>A <strong>hint</strong>.</p>\s*</details>', page.read_text())
 
 
-@pytest.mark.parametrize('file, coloured', [('a.py', True), ('a.yaml', False)])
-def test_a_file_of_python_has_colours(built, tmp_path, file, coloured):  # noqa: F811
+FILES = {
+    'a.py': ('def f():\n    return 1', 'k', 'def'),
+    'a.yaml': ('low: 0.25', 'nt', 'low'),
+    '-a src/CMakeLists.txt': ('project(a)', 'nb', 'project'),
+    'a.urdf': ('<robot name="a"/>', 'nt', '&lt;robot'),
+    'A.msg': ('float64 value', '', ''),
+}
+
+
+@pytest.mark.parametrize('file', FILES)
+def test_a_file_has_the_colours_of_its_language(built, tmp_path, file):  # noqa: F811
     source = built.solutions / '07_tiny.md'
-    text = {'a.py': 'def f():\n    return 1', 'a.yaml': 'low: 0.25'}[file]
+    text, kind, word = FILES[file]
     cell = f'```{{code-cell}} ipython3\n%%writefile {file}\n{text}\n```\n\n'
     source.write_text(source.read_text().replace('```{code-cell}', f'{cell}```{{code-cell}}', 1))
     built.solved(chapters.read(source)).unlink()
     make_without_kernel(built)
     _, page = pages.write(built, tmp_path / 'pages', say=lambda line: None)
     shown = page.read_text().partition('writefile')[2].partition('</pre>')[0]
-    assert ('<span class="k">' in shown) is coloured and 'class="err"' not in shown
+    assert (f'<span class="{kind}">{word}</span>' in shown if kind else word in shown) and 'class="err"' not in shown
+
+
+def test_the_parts_of_a_cell_with_files_have_their_own_colours():
+    text = 'x = 1\n%%answer NODE src/a.py\ndef f(): pass\n%%answer ROBOT a.xml\n<robot/>\n%%answer NOTE a.msg\nint8 a\n'
+    found = list(file_lexer.FilesLexer().get_tokens_unprocessed(text))
+    assert ''.join(value for _, _, value in found) == text
+    assert all(text[place:].startswith(value) for place, _, value in found)
+    kinds = {value.strip(): str(kind) for _, kind, value in found}
+    assert (kinds['def'], kinds['<robot'], kinds['%%answer NOTE a.msg'], kinds['int8 a']) == (
+        'Token.Keyword',
+        'Token.Name.Tag',
+        'Token.Comment.Preproc',
+        'Token.Text',
+    )
+    assert file_lexer.has_files(text) and not file_lexer.has_files('%%bash\nls')
 
 
 def test_a_page_brings_its_figures(illustrated, tmp_path):  # noqa: F811
