@@ -126,8 +126,11 @@ def _summary(now: float, seconds: float, sent: dict, read: list) -> str:
     if not read:
         return f'sent: {rate:.0f} a second; nothing is read'
     ages = [when - sent[number] for number, when in read if number in sent]
+    times = [when for _, when in read]
+    span = max(times) - min(times)
+    heard = min(len(read) / seconds, (len(read) - 1) / span) if span else len(read) / seconds  # n marks, n - 1 pauses
     age = f', on average {sum(ages) / len(ages):.2f} s after it was sent' if ages else ''
-    return f'sent: {rate:.0f} a second; read: {len(read) / seconds:.0f} a second{age}'
+    return f'sent: {rate:.0f} a second; read: {heard:.0f} a second{age}'
 
 
 def _svg(now: float, sent: dict, read: list) -> str:

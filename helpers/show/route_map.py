@@ -48,7 +48,7 @@ def route_map(chapters: list[str], stacks: dict[str, tuple[int, ...]]) -> Pictur
     step = (len(chapters) - 1) / max(1, len(stacks) - 1)
     for row, (stack, needed) in enumerate(stacks.items()):
         end = -1 - step * row
-        axes.text(1.03, end, stack, va='center', color=f'C{row}', weight='bold')
+        axes.text(1.03, end, stack, va='center', color='#777777', weight='bold')  # to be read on light and dark
         for number in needed:
             axes.plot(along, -number + (end + number) * bend, color=f'C{row}')
     text = '\n'.join(

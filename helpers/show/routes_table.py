@@ -13,7 +13,7 @@ _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).f
 <div style="font-weight: 600">{{ route.name }}: {{ verdict(route) }}</div>
 {% for step in route.steps %}
 <div><span style="color: {{ good if step.ok else bad }}; font-weight: 700">{{ '✓' if step.ok else '✗' }}</span>
-{{ step.name }}: {{ step.text }}{% if not step.ok and step.remedy %} → <code>{{ step.remedy }}</code>{% endif %}</div>
+{{ step.name }}: {{ step.text }}{% if not step.ok and step.remedy %} → {{ step.remedy }}{% endif %}</div>
 {% endfor %}
 </div>
 {% endfor %}

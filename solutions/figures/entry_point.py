@@ -30,7 +30,7 @@ def draw():
         sheet.arrow(boxes[name].bottom, below[name].top, colour=colour)
         sheet.box(x, 262, w, 34, f'`{fault}`' if 'Error' in fault else fault, colour='red', dashed=True, size=NOTE)
         sheet.arrow(below[name].bottom, (x + w / 2, 262), colour='red', dashed=True)
+        sheet.text(x + w / 2 + 10, 239, 'if it is wrong', anchor='start', size=NOTE, colour='red')
     sheet.arrow(below['name'], below['module'], 'imports')
     sheet.arrow(below['module'], below['function'], 'calls')
-    sheet.text(680, 239, 'if this\npart is wrong', anchor='end', size=NOTE, colour='red')
     return sheet

@@ -30,7 +30,7 @@ def draw():
     for number, (source, how, target) in enumerate(ROWS):
         y = 48 + 68 * number
         left = sheet.box(32, y, 188, 52, source, plain=True, size=NOTE)
-        right = sheet.box(390, y, 278, 52, target, plain=True, size=NOTE)
+        right = sheet.box(380, y, 298, 52, target, plain=True, size=NOTE)
         sheet.line([left.right, (242, y + 26)])
         sheet.arrow((242, y + 26), right, how, at=0.42)
     return sheet
