@@ -56,7 +56,7 @@ DARK_COLOURS = {
     _BORDER: '#4a515c',
     _GRID: '#434b56',
     '#fff': '#2a3038',  # around texts
-    _GREY_TEXT: '#b6bec9',
+    _GREY_TEXT: '#dde2e8',
     _PROBLEM: '#ff9d93',
     _hex(DARK): '#e6e9ee',
     _hex(RED): '#ff7478',
