@@ -21,6 +21,7 @@ from rclpy import executors
 from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
 from rclpy.action.client import ClientGoalHandle
 from rclpy.client import Client
+from rclpy.clock import Clock, ClockType
 from rclpy.impl import rcutils_logger
 from rclpy.node import Node
 from rclpy.task import Future
@@ -215,6 +216,12 @@ def _checked(method, seen: Watch):
             raise TypeError(f'the type is the class itself, without parentheses: {method.__name__}({kind}, …)')
         if 'callback' in given and not callable(given['callback']):
             raise TypeError(_no_function(f'{method.__name__}(…)', given['callback']))
+        clock = given.get('clock')
+        if isinstance(clock, Clock) and clock.clock_type != ClockType.ROS_TIME:
+            seen.remark(
+                f'A timer of yours runs on a clock of its own ({clock.clock_type.name}). The tests use simulated time, '
+                "which only the node's clock follows, as in a simulator: leave out `clock`."
+            )
         return method(self, *args, **kwargs)
 
     return checked

@@ -457,3 +457,12 @@ def test_who_spins_in_the_constructor_waits(tmp_path):
         source = f'{HEAD}        rclpy.spin_once(self, timeout_sec={timeout})\n\n    def tick(self):\n        pass\n'
         test = judge(tmp_path, source, SLEPT)
         assert test.verdict == verdict, test.message
+
+
+@pytest.mark.parametrize(
+    'clock, said', [('Clock(clock_type=ClockType.STEADY_TIME)', True), ('self.get_clock()', False)]
+)
+def test_a_timer_with_a_clock_of_its_own_is_named(tmp_path, clock, said):
+    source = HEAD.replace('self.tick)', f'self.tick, clock={clock})') + '\n    def tick(self):\n        pass\n'
+    found = judge(tmp_path, f'from rclpy.clock import Clock, ClockType\n{source}')
+    assert ('leave out `clock`' in found.message) is said, found
