@@ -39,6 +39,7 @@ _LIGHT = np.array((0.25, -0.5, 0.83))
 _LARGEST = 56_000  # characters; budgets are cut until the picture is smaller
 _MARGIN = (34, 46, 40, 70)  # pixels at the top, the left, the bottom and the right that hold names and captions
 _BUDGET = 3000  # points of clouds, and faces of meshes
+_APART = 4.0  # pixels between two places of an axis that are looked at
 _SEEN, _ON_TOP = 1, 2  # layers of the picture: points in front of all faces, and shapes that are `on_top`
 _SIDES = 20  # of a cylinder
 _HALO = '<g stroke="#fff" stroke-width="3" paint-order="stroke">'  # of texts, which may lie over anything
@@ -112,6 +113,7 @@ class _ScenePicture:
         self.walls: list[tuple] = []  # faces that hide points: corners, outline, normal
         self.boxes: list[tuple] = []  # the places that names cover
         self.marks: set[tuple] = set()  # the colours of points and lines
+        self.beams: list[np.ndarray] = []  # pixels along axes, which names should not cover
         self._fit(around)
 
     # Projection
@@ -265,6 +267,13 @@ class _ScenePicture:
             tip = origin + item.shape.length * item.pose[:3, column]
             width = min(4.5, max(2.0, 0.07 * item.shape.length * self.scale))
             self._stroke(np.array((origin, tip)), colour, width, item.opacity)
+            self.beams.append(self._along(np.array((origin, tip))))
+
+    def _along(self, ends: np.ndarray) -> np.ndarray:
+        """Places along a line between two points, some pixels apart."""
+        begin, end = self.flat(ends)
+        count = 2 + int(np.linalg.norm(end - begin) / _APART)
+        return begin + (end - begin) * np.linspace(0, 1, count)[:, None]
 
     def _arrow(self, item: Item) -> None:
         shape = item.shape
@@ -438,8 +447,12 @@ class _ScenePicture:
         )
 
     def _free_place(self, x: float, y: float, long: float, tall: float) -> tuple[float, float] | None:
-        """The place near (x, y) that covers other names least: left end and middle of the text; None without room."""
+        """The place near (x, y) that covers other names least, then axes: left end and middle of the text.
+
+        None if there is no room without other names.
+        """
         best = None
+        beams = np.vstack(self.beams) if self.beams else np.empty((0, 2))
         for up in (-1, 1, -2.3, 2.3, -3.6, 3.6, -4.9, 4.9):
             for side in (1, -1):
                 left = x + 8 if side > 0 else x - 8 - long
@@ -447,17 +460,16 @@ class _ScenePicture:
                 box = (left, middle - tall / 2, left + long, middle + tall / 2)
                 covered = sum(_overlap(box, other) for other in self.boxes)
                 outside = max(0.0, -left, left + long - self.width) + max(0.0, -box[1], box[3] - self.height)
-                cost = covered + 100 * outside
+                crossed = np.all((beams >= box[:2]) & (beams <= box[2:]), axis=1).sum()
+                hidden = covered + 100 * outside
+                cost = hidden + 8 * crossed + 16 * (abs(up) - 1)  # near its frame, and not on an axis if it can be
                 if best is None or cost < best[0]:
-                    best = (cost, box)
-                if cost == 0:
-                    break
-            if best[0] == 0:
-                break
-        if best[0] > 0.25 * long * tall:
+                    best = (cost, hidden, box)
+        _, hidden, box = best
+        if hidden > 0.25 * long * tall:
             return None
-        self.boxes.append(best[1])
-        return best[1][0], (best[1][1] + best[1][3]) / 2
+        self.boxes.append(box)
+        return box[0], (box[1] + box[3]) / 2
 
 
 def _extent(item: Item) -> np.ndarray:

@@ -1,5 +1,6 @@
 """The still picture: complete, small, and with everything inside."""
 
+import math
 import re
 from xml.etree import ElementTree
 
@@ -213,6 +214,23 @@ def test_a_large_cloud_is_thinned_out_without_a_pattern():
     some = picture._some(10_000, 2_500)
     assert len(set(some.tolist())) == 2_500
     assert set((some % 100).tolist()) == set(range(100))  # every column of a camera's 100 x 100 points
+
+
+@pytest.mark.parametrize('turn', [0.0, 0.8, 1.6, 2.4, 3.2, 4.0, 4.8, 5.6])
+def test_a_name_lies_beside_the_axes_of_its_frame(turn):
+    scene = Scene()
+    pose = poses.matrix([0, 0, 0], [0, 0, math.sin(turn / 2), math.cos(turn / 2)])
+    for path, shape in (('axes', Axes(0.4)), ('name', Label('robot_base')), ('far', Sphere(3.0))):
+        scene.set(path, shape)
+        scene.pose(path, pose)
+    text = picture.svg(scene)
+    (name,) = (element for element in elements(text, 'text') if element.text == 'robot_base')
+    left, foot = float(name.get('x')), float(name.get('y'))
+    for element in elements(text, 'path'):
+        if element.get('stroke') in {picture._hex(colour) for colour in (RED, GREEN, BLUE)}:
+            ends = np.array(re.findall(r'-?[\d.]+', element.get('d')), dtype=float).reshape(-1, 2)
+            for x, y in ends[0] + (ends[1] - ends[0]) * np.linspace(0, 1, 50)[:, None]:
+                assert not (left < x < left + 65 and foot - 10 < y < foot), 'an axis goes through the name'
 
 
 def test_on_a_dark_page_texts_and_axes_stand_out_from_the_ground():
