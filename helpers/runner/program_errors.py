@@ -49,8 +49,8 @@ class ProgramErrors:
                 return LearnerError(f'What `{name}(…)` returns is too long to be read.')
             case 'sleeps':
                 return LearnerError(
-                    f'A callback sleeps with time.sleep{_at(problem)}: that is the clock on the wall. '
-                    "While it sleeps, no time passes for the robot. Wait on the node's clock: "
+                    f'A callback sleeps with time.sleep{_at(lines_of(problem), self._title)}: that is the clock on '
+                    "the wall. While it sleeps, no time passes for the robot. Wait on the node's clock: "
                     'self.get_clock().sleep_for(…), a rate, or a timer.',
                     _stack(lines_of(problem)),
                 )
@@ -68,9 +68,9 @@ class ProgramErrors:
         call, lines = str(problem.get('call'))[:100], lines_of(problem)
         what = 'spins' if 'spin' in call else 'waits for an answer'
         return LearnerTimeout(
-            f'A callback {what}{_at(problem)}. Only another callback can receive what it waits for, and none runs '
-            'before this one has returned: a deadlock, with or without a timeout. Use call_async (or send_goal_async), '
-            'and go on in a done-callback or after `await`.',
+            f'A callback {what}{_at(lines, self._title)}. Only another callback can receive what it waits for, and '
+            'none runs before this one has returned: a deadlock, with or without a timeout. Use call_async (or '
+            'send_goal_async), and go on in a done-callback or after `await`.',
             _stack(lines),
         )
 
@@ -85,7 +85,7 @@ class ProgramErrors:
         lines = lines_of(problem)
         kind, text = str(problem.get('type'))[:100], str(problem.get('text'))[:1000]
         text = re.sub(r' \(<cell \d+>, line \d+\)$', '', text)  # where it is stands in `lines`
-        at = f' at {lines[-1]["cell"]}, line {lines[-1]["line"]}' if lines else ''
+        at = _at(lines, self._title, code=False)
         if kind == 'SystemExit':
             return LearnerCrashed(
                 f'{where.get(problem.get("where"), "Then")} your code called exit(){at}. '
@@ -111,14 +111,14 @@ class ProgramErrors:
         )
 
 
-def hanging(op: str, limit: float, arguments: dict, lines: list[dict]) -> LearnerError:
-    """The error of a program that has not answered within `limit` seconds; `lines`: those that it was at."""
+def hanging(op: str, limit: float, arguments: dict, lines: list[dict], title: str = '') -> LearnerError:
+    """The error of a program that has not answered within `limit` seconds; `lines`: those that it was at.
+
+    :param title: the exercise's, which is the name of its cell.
+    """
     made = f'`{arguments.get("name")}(…)`'
     doing = {'load': 'The cell', 'start': made, 'call': made}.get(op, 'A callback')
-    where = ''
-    if lines:
-        last = lines[-1]
-        where = f' It was still at {last["cell"]}, line {last["line"]}: `{last["code"]}`.'
+    where = f' It was still{_at(lines, title)}.' if lines else ''
     asks = any(waiting in line['code'] for line in lines for waiting in _WAITS_FOR_ANSWER)
     hint = (
         ' It waits for an answer, which only another callback can receive, and none runs before this one has '
@@ -158,10 +158,17 @@ def _callback(problem: dict) -> str:
     return f'In a callback ({problem["callback"]} of node `{problem.get("node")}`)'
 
 
-def _at(problem: dict) -> str:
-    """Where the innermost of the learner's lines is, to be put into a sentence."""
-    lines = lines_of(problem)
-    return f' at {lines[-1]["cell"]}, line {lines[-1]["line"]}: `{lines[-1]["code"]}`' if lines else ''
+def _at(lines: list[dict], title: str, code: bool = True) -> str:
+    """Where the innermost of the learner's lines is, to be put into a sentence; `code`: with its text.
+
+    If that is in another cell, which is perhaps right as it is: also the line of the exercise that has called it.
+    """
+    if not lines:
+        return ''
+    *outer, last = lines
+    at = f' at {last["cell"]}, line {last["line"]}{": `" + last["code"] + "`" if code else ""}'
+    calls = [line for line in outer if line['cell'] == title] if last['cell'] != title else []
+    return at + (f', called from {title}, line {calls[-1]["line"]}: `{calls[-1]["code"]}`' if calls else '')
 
 
 def _stack(lines: list[dict]) -> str:

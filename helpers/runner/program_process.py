@@ -43,7 +43,8 @@ class ProgramProcess:
         :param join: nodes will be started in it.
         """
         self.server = server
-        self._errors = ProgramErrors(program['title'], program.get('absent', {}), program.get('answer', ''))
+        self._title = program['title']
+        self._errors = ProgramErrors(self._title, program.get('absent', {}), program.get('answer', ''))
         self.key, sock, output = server.fork(preloading.on_demand(program['cells']))
         self.channel = Channel(sock)
         self.output = Output(output, server.limits.output)
@@ -79,7 +80,7 @@ class ProgramProcess:
             allowed_replies.check(op, answer)
         except ChannelTimeout:
             self.kill()
-            raise program_errors.hanging(op, limit, arguments, lines or []) from None
+            raise program_errors.hanging(op, limit, arguments, lines or [], self._title) from None
         except ChannelClosed:
             raise self._gone(op) from None
         except ChannelError as error:
