@@ -191,8 +191,8 @@ def _as_a_check(error: Exception, cell: str) -> str:
     defining = (one for one in texts if owner and re.search(rf'^class {owner[1]}\b', one, re.MULTILINE))
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.line for frame in frames if frame.line and any(frame.line in one for one in texts)]
-    line = lines[-1] if lines else ''
-    return explanations.explain(type(error).__name__, str(error), answer=next(defining, cell), line=line)
+    answer = next(defining, cell)
+    return explanations.explain(type(error).__name__, str(error), answer=answer, lines=lines, cells=texts)
 
 
 def _is_half_imported(error: BaseException | None) -> bool:

@@ -18,13 +18,20 @@ SENTENCES = (
     ),
     (
         'AssertionError',
-        r".*must be of type '(int|bool)'",
-        'Write {0}(…) around the value; of a message take the field that holds it.',
+        r".*must be of type 'bool'",
+        'Write bool(…) around the value; of a message take the field that holds it.',
+    ),
+    (
+        'AssertionError',
+        r".*must be of type 'int'",
+        'A whole number is wanted: int(…) makes one of a float, and len(…) counts a list or a text; of a message take '
+        'the field that holds it.',
     ),
     (
         'AssertionError',
         r".*must be of type 'str'",
-        'Write str(…) around it, or an f-string; of a message take the field that holds it.',
+        'A text is wanted. Of a number make one with str(…) or an f-string; of a message take the field that holds '
+        'it. None is no text: did a function end without `return`?',
     ),
     (
         'AssertionError',
@@ -38,7 +45,7 @@ SENTENCES = (
     ),
     (
         'AssertionError',
-        r'Invalid arguments passed to constructor: (\w+)',
+        r'Invalid arguments passed to constructor: (?!dict_keys\()(\w+)',
         'The message has no field `{0}`: `ros2 interface show` prints the fields that it has.',
     ),
     (
@@ -124,7 +131,6 @@ SENTENCES = (
         'This is a message: {0}.from_msg(…) makes a {0} of rclpy of it.',
     ),
     ('AttributeError', r"'Parameter' object has no attribute '\w*value\w*'", _VALUE),
-    ('AttributeError', r"'dict' object has no attribute '(\w+)'", "It is a dictionary: write …['{0}']."),
     (
         'AttributeError',
         r"'\w+_FeedbackMessage' object has no attribute '([a-z]\w*)'",
@@ -226,6 +232,33 @@ SENTENCES = (
     ),
     (
         'TypeError',
+        r"Expected <class '(\w+)\.[\w.]+\.(\w+)'>, got <class '(?!\1\b)(\w+)\.[\w.]+\.\2'>",
+        'Two types are called {1}: the publisher has that of {0}, and this one is of {2}.',
+    ),
+    (
+        'TypeError',
+        r"Expected <class '[\w.]+\.(\w+)'>, got <class '[\w.]+\.(\w+)'>",
+        'The messages of this publisher are of the type {0}, and this is a {1}: make a {0}, and put into its fields '
+        'what is wanted.',
+    ),
+    (
+        'TypeError',
+        r"Publisher\.publish\(\) got an unexpected keyword argument '(\w+)'",
+        'It takes one message, which is made with its fields before: publish(…({0}=…)), with the type of the message '
+        'in front of the inner parentheses.',
+    ),
+    (
+        'TypeError',
+        r"(?:object (?:list|tuple|generator)|.*'(?:list|tuple|generator)' object) can't be (?:used in 'await'|awaited)",
+        '`await` takes one future. For many of them: [await future for future in futures].',
+    ),
+    (
+        'TypeError',
+        r"unsupported operand type\(s\) for \^=?: '(?:int|float)' and '(?:int|float)'",
+        'In Python a power is written with two stars: width ** 2.',
+    ),
+    (
+        'TypeError',
         r'module\(\) takes at most 2 arguments',
         'A module is given as the base of a class. The class is in it: from rclpy.node import Node, class …(Node).',
     ),
@@ -271,6 +304,12 @@ SENTENCES = (
     ),
     (
         'TypeError',
+        r"'NoneType' object is not callable",
+        'What is called here is None. If it is a callback, give the function itself, without parentheses: '
+        'self.on_timer, not self.on_timer().',
+    ),
+    (
+        'TypeError',
         r"'([A-Z]\w*)' object is not callable",
         'Before the parentheses stands an object of the class {0}, and neither a class nor a function.',
     ),
@@ -279,7 +318,7 @@ SENTENCES = (
         r"unsupported operand type\(s\) for \S+ 'Time' and 'Time'",
         'One of the two is a stamp, which is a message: Time.from_msg(stamp) makes a time of rclpy of it.',
     ),
-    ('TypeError', r".*(?:not '?Parameter'?$|'Parameter' and '| and 'Parameter')", _VALUE),
+    ('TypeError', r".*(?:not '?Parameter'?$|: 'Parameter'$|'Parameter' and '| and 'Parameter')", _VALUE),
     (
         'TypeError',
         r"Can't (?:subtract|compare) times with different clock types",

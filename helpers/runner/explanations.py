@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 
-from helpers.runner import imports, ros_members, slips
+from helpers.runner import imports, ros_members, slips, slips_in_lines
 from helpers.runner.exception_sentences import SENTENCES
 
 # Properties of rclpy's Node that have no setter.
@@ -77,54 +77,25 @@ def explain(
     callback: str = '',
     notes: Sequence[str] = (),
     answer: str = '',
-    line: str = '',
+    lines: Sequence[str] = (),
+    cells: Sequence[str] = (),
 ) -> str:
     """A sentence on an exception of the type `kind` with this text; '' if there is nothing to add.
 
     `early`: where the program read the result of a future that had none yet. `absent`: by name, why a name
     is not there that some cell binds. `callback`: of what it is the callback, if rclpy has called it and it has begun
     with no line of its own, such as `timer of 0.5 s`. `notes`: what happened in cells with the missing name that
-    could not be run. `answer`: the text of the exercise's cell. `line`: the learner's line that has
-    raised it, if it is known.
+    could not be run. `answer`: the text of the exercise's cell. `lines`: the learner's lines that have
+    raised it, as far as they are known, the innermost one last. `cells`: the texts of the other cells.
     """
-    if said := _on_names(kind, text, answer):
-        return said
-    if kind == 'AttributeError' and (
-        found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text)
+    line = lines[-1] if lines else ''
+    if said := (
+        _on_names(kind, text, answer, line, cells)
+        or _on_node(kind, text)
+        or _on_arguments(kind, text, callback, line)
+        or slips_in_lines.explain(kind, text, lines, answer)
     ):
-        name = found[1] or found[2] or ''
-        if not name or name in _RESERVED:
-            return (
-                f"rclpy's Node uses {f'the name `{name}`' if name else 'this name'} itself (as it does "
-                f'{", ".join(_RESERVED[:6])}): choose another one, such as `self.my_{name or "timers"}`.'
-            )
-    if kind == 'AttributeError' and (found := re.match(r'(\w+) cannot be modified after node creation', text)):
-        return f"rclpy's Node uses the name `{found[1]}` itself: choose another one, such as `self.my_{found[1]}`."
-    if kind == 'AttributeError' and (found := re.match(r"'\w+' object has no attribute '(_\w+)'", text)):
-        name = found[1]
-        if name in _PRIVATE or name.startswith('_Node__'):
-            return (
-                "rclpy's Node is not made yet. `super().__init__('name')` must come before everything else in "
-                '`__init__`.'
-            )
-    if kind == 'TypeError' and callback and re.search(r'\(\) (?:takes|missing) \d+ (?:required )?positional', text):
-        for whose, arguments in _CALLED_WITH.items():
-            if callback.startswith(whose):
-                return f'It is called with {arguments}.'
-    if kind == 'TypeError' and (found := re.match(r'(?:(\w+)\.)?(\w+)\(\) missing \d', text)):
-        if found[1] == 'CallbackGroup':
-            return 'A class is given where a group is wanted. A group is made: MutuallyExclusiveCallbackGroup().'
-        wanted = _ARGUMENTS.get(f'{found[1]}.{found[2]}', _ARGUMENTS.get(found[2], ''))
-        if found[1] in _CLASSES or found[1] is None and wanted:
-            return f'It takes {wanted}.' if wanted else ''
-    if kind == 'TypeError' and (found := re.match(r'\w+\.(?!__)(\w+)\(\) missing 1 required positional', text)):
-        name = found[1]
-        if line and not re.search(rf'\b{name}\(\s*\)', line):  # it is called with something
-            return ''
-        return (
-            f'If it is a callback, give the function itself, without parentheses: self.{name}, not self.{name}(). If '
-            'that is so, it has more parameters than it is called with.'
-        )
+        return said
     if kind == 'AttributeError' and text.startswith("'NoneType' object") and early:
         return (
             f'`result()` was asked {early}, before the answer had come, and gave None. Go on in a done-callback, '
@@ -146,6 +117,48 @@ def explain(
     return _on_ros(kind, text, answer, line)
 
 
+def _on_node(kind: str, text: str) -> str:
+    """A sentence on a name that rclpy's Node keeps for itself; '' if it is none."""
+    if kind != 'AttributeError':
+        return ''
+    if found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text):
+        name = found[1] or found[2] or ''
+        if not name or name in _RESERVED:
+            return (
+                f"rclpy's Node uses {f'the name `{name}`' if name else 'this name'} itself (as it does "
+                f'{", ".join(_RESERVED[:6])}): choose another one, such as `self.my_{name or "timers"}`.'
+            )
+    if found := re.match(r'(\w+) cannot be modified after node creation', text):
+        return f"rclpy's Node uses the name `{found[1]}` itself: choose another one, such as `self.my_{found[1]}`."
+    if found := re.match(r"'\w+' object has no attribute '(_\w+)'", text):
+        name = found[1]
+        if name in _PRIVATE or name.startswith('_Node__'):
+            return (
+                "rclpy's Node is not made yet. `super().__init__('name')` must come before everything else in "
+                '`__init__`.'
+            )
+    return ''
+
+
+def _on_arguments(kind: str, text: str, callback: str, line: str) -> str:
+    """A sentence on arguments that a callback or a method of ROS gets or lacks; '' if it is about others."""
+    if kind != 'TypeError':
+        return ''
+    if callback and re.search(r'\(\) (?:takes|missing) \d+ (?:required )?positional', text):
+        for whose, arguments in _CALLED_WITH.items():
+            if callback.startswith(whose):
+                return f'It is called with {arguments}.'
+    if found := re.match(r'(?:(\w+)\.)?(\w+)\(\) missing (\d+)( required positional)?', text):
+        if found[1] == 'CallbackGroup':
+            return 'A class is given where a group is wanted. A group is made: MutuallyExclusiveCallbackGroup().'
+        wanted = _ARGUMENTS.get(f'{found[1]}.{found[2]}', _ARGUMENTS.get(found[2], ''))
+        if found[1] in _CLASSES or found[1] is None:
+            return f'It takes {wanted}.' if wanted else ''
+        if found[4] and not found[2].startswith('__'):
+            return slips_in_lines.without_arguments(found[2], int(found[3]), line)
+    return ''
+
+
 def _meant(name: str, answer: str) -> str:
     if near := slips.near_name(name, answer) or imports.nearest(name):
         return f'Is `{near}` meant?'
@@ -165,20 +178,27 @@ def _on_ros(kind: str, text: str, answer: str, line: str) -> str:
         # Time and Duration are also classes of rclpy, which can be compared.
         if any(one not in ('Time', 'Duration') and ros_members.is_message(one) for one in found.groups()):
             return 'A message stands where a value is wanted: take one of its fields.'
+    if kind == 'AssertionError' and (found := re.match(r'Invalid .* constructor: dict_keys\(\[(.*)\]\)', text)):
+        return ros_members.argument('QoSProfile', re.findall(r"'(\w+)'", found[1]))
     if kind == 'AssertionError' and not text and 'QoSProfile(' in line:
         return 'The parts of a QoSProfile have types of their own, such as durability=DurabilityPolicy.TRANSIENT_LOCAL.'
     return ''
 
 
-def _on_names(kind: str, text: str, answer: str) -> str:
+def _on_names(kind: str, text: str, answer: str, line: str, cells: Sequence[str]) -> str:
     """A sentence on a name that the answer or a module lacks, or has by a slip; '' if there is none."""
     if kind in ('NameError', 'UnboundLocalError') and (found := re.match(r"(?:name|.*local variable) '(\w+)'", text)):
-        return slips.missing_self(found[1], answer)
-    if kind == 'AttributeError' and (found := re.match(r"'(\w+)' object has no attribute '([A-Za-z]\w*)'", text)):
-        if re.search(rf'^class {found[1]}\b', answer, re.MULTILINE):
-            return slips.unset_attribute(found[2], answer)
+        meant = slips.class_meant(found[1], answer) if kind == 'NameError' else ''
+        return meant or slips.missing_self(found[1], answer, line)
+    if kind == 'AttributeError' and (found := re.match(r"'(\w+)' object has no attribute '(\w+)'", text)):
+        if found[1] == 'super':
+            return slips.constructor_meant(found[2])
+        if found[2][0] != '_' and re.search(rf'^class {found[1]}\b', answer, re.MULTILINE):
+            return slips.unset_attribute(found[2], answer, found[1], cells)
     if kind == 'AttributeError' and (found := re.match(r"module '([\w.]+)' has no attribute '(\w+)'", text)):
-        return f'It is elsewhere. Write: {lines[0]}' if (lines := imports.lines_for(found[2])) else ''
-    if kind == 'TypeError' and text.startswith('Node.__init__() missing'):
+        if meant := slips.class_meant(found[1], answer):
+            return meant
+        return f'It is elsewhere. Write: {there[0]}' if (there := imports.lines_for(found[2])) else ''
+    if kind == 'TypeError' and re.match(r'Node\.__init__\(\) |__init__\(\): incompatible constructor arguments', text):
         return slips.misspelt_constructor(answer)
     return ''

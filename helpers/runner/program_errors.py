@@ -1,7 +1,7 @@
 """What went wrong in the learner's process, in words: a LearnerError for each problem that it reports."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from helpers.runner import explanations
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout, Unheard
@@ -15,10 +15,11 @@ class ProgramErrors:
 
     :param absent: by name, why a name is not there that some cell binds.
     :param answer: the text of the exercise's cell.
+    :param cells: the texts of the other cells that are loaded.
     """
 
-    def __init__(self, title: str, absent: Mapping[str, str], answer: str):
-        self._title, self._absent, self._answer = title, absent, answer
+    def __init__(self, title: str, absent: Mapping[str, str], answer: str, cells: Sequence[str] = ()):
+        self._title, self._absent, self._answer, self._cells = title, absent, answer, cells
 
     def of(self, problem: dict, arguments: dict) -> LearnerError:
         """The error for a problem that the learner's process has reported; `arguments`: of what it was asked."""
@@ -103,8 +104,8 @@ class ProgramErrors:
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
         called = '' if lines else str(problem.get('callback', ''))[:100]
         early = str(problem.get('early', ''))[:200]
-        code = lines[-1]['code'] if lines else ''
-        more = explanations.explain(kind, text, early, self._absent, called, notes, self._answer, code)
+        code = [line['code'] for line in lines]
+        more = explanations.explain(kind, text, early, self._absent, called, notes, self._answer, code, self._cells)
         return LearnerCrashed(
             f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
             '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),

@@ -44,7 +44,8 @@ class ProgramProcess:
         """
         self.server = server
         self._title = program['title']
-        self._errors = ProgramErrors(self._title, program.get('absent', {}), program.get('answer', ''))
+        texts = [cell['source'] for cell in program['cells']]
+        self._errors = ProgramErrors(self._title, program.get('absent', {}), program.get('answer', ''), texts)
         self.key, sock, output = server.fork(preloading.on_demand(program['cells']))
         self.channel = Channel(sock)
         self.output = Output(output, server.limits.output)

@@ -1,7 +1,10 @@
 """What the messages, enumerations and objects of ROS have: after a misspelt field, member or method."""
 
+import enum
 import importlib
+import inspect
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from helpers.runner import imports, similar
@@ -27,6 +30,17 @@ def attribute(kind: str, name: str) -> str:
     return f'A {kind} has no `{name}`; there is `{near}`.' if near else ''
 
 
+def of_class(kind: str) -> frozenset[str]:
+    """What belongs to the class of ROS with this name itself, such as `from_msg` to Time, and not to its objects."""
+    found = _class(kind)
+    return frozenset(
+        name
+        for name in dir(found)
+        if name[0] != '_'
+        and isinstance(inspect.getattr_static(found, name), classmethod | staticmethod | type | enum.Enum)
+    )
+
+
 def is_message(kind: str) -> bool:
     """Whether a message, or a part of a service or an action, has this name."""
     return bool(_fields(kind))
@@ -36,6 +50,16 @@ def named_values(kind: str) -> str:
     """A sentence if the values of a class of ROS are given by their names only, as those of messages; else ''."""
     named = kind in _NAMED_VALUES or is_message(kind)
     return f'Its values are given by their names: {kind}(…=…).' if named else ''
+
+
+def argument(kind: str, given: Iterable[str]) -> str:
+    """A sentence on the first of the arguments `given` that a class of ROS does not take; '' if there is none."""
+    there = [name[1:] for name in getattr(_class(kind), '__slots__', ())]
+    wrong = next((name for name in given if name not in there), '')
+    if not wrong or not there:
+        return ''
+    near = similar.nearest(wrong, there)
+    return f'{kind} has no argument `{wrong}`{f"; there is `{near}`" if near else ": it has " + ", ".join(there)}.'
 
 
 def member(name: str, answer: str, kind: str = '') -> str:

@@ -16,9 +16,10 @@ from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.duration import Duration
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from rclpy.task import Future
 from rclpy.time import Time
 from sensor_msgs.msg import LaserScan, Range
-from std_msgs.msg import Bool, Float64, Header, String
+from std_msgs.msg import Bool, Float64, Header, Int32, String
 from std_srvs.srv import SetBool, Trigger
 from tf2_ros import Buffer, StaticTransformBroadcaster
 """
@@ -53,7 +54,10 @@ def node(domain):
         ),
         ('Float64(data=2)', 'write 2.0 instead of 2'),
         ('Bool(data=1)', 'Write bool(…) around the value; of a message take the field that holds it.'),
-        ('String(data=1)', 'Write str(…) around it, or an f-string; of a message take the field that holds it.'),
+        ('String(data=1)', 'str(…) or an f-string; of a message take the field that holds it. None is no text'),
+        ('text = print()\nString(data=text)', 'did a function end without `return`?'),
+        ('String(data=None)', 'A text is wanted, and None is no text.'),
+        ("Int32(data='#..')", 'len(…) counts a list or a text; of a message take the field that holds it.'),
         ('from geometry_msgs.msg import Pose; Pose().yaw', '`ros2 interface show` prints'),
         ('from geometry_msgs.msg import Pose; Pose().orientatoin', 'there is `orientation`'),
         ('Twist.linear.x = 1.0', 'parentheses are missing, as in Twist()'),
@@ -125,6 +129,15 @@ def node(domain):
         ("node.declare_parameters('', [('a', 1.0, 'fast')])", 'and a ParameterDescriptor'),
         ("node.declare_parameter('a', 1.0); node.get_parameter('a').double_value", 'get_parameter(name).value'),
         ("{'node': 1}.node", "It is a dictionary: write …['node']."),
+        ("offered = {'key': 1}\noffered.key", "It is a dictionary: write offered['key']."),
+        (
+            "offered = {'key': 1}\nfor key in offered: offered.key",
+            "write offered[key], or offered['key'] for the entry",
+        ),
+        ('faults = {}\nfaults.append(1)', 'A dictionary has no `append`: write faults[name] = value.'),
+        ("self = node\nself.seen = {}\nself.seen.add('x')", 'write self.seen[name] = value. (An empty list is []'),
+        ('{}.sort()', 'A dictionary has no `sort`.'),
+        ("{'add': 1}.add", "It is a dictionary: write …['add']."),
         ('TRANSIENT_LOCAL', 'Write: DurabilityPolicy.TRANSIENT_LOCAL'),
         ('import rclpy.node\nclass A(rclpy.node):\n    pass', 'The class is in it: from rclpy.node import Node'),
         ('from std_msgs import String', 'Messages are in std_msgs.msg'),
@@ -143,7 +156,38 @@ def node(domain):
         ),
         (
             'class Own(Node):\n    def _init_(self):\n        pass\n\nOwn(0.5, context=node.context)',
+            'Is `_init_` the constructor?',
+        ),
+        (
+            'class Own(Node):\n    def __new__(cls, *given, **other):\n        return object.__new__(cls)\n\n'
+            'Own(0.5, context=node.context)',
             'Is your constructor called __init__',
+        ),
+        ('QoSProfile(depth=1, durabilty=1)', 'QoSProfile has no argument `durabilty`; there is `durability`.'),
+        ('QoSProfile(depth=1, size=1)', 'QoSProfile has no argument `size`: it has history, depth, '),
+        ("node.get_logger.info('x')", 'Parentheses call it: node.get_logger().info(…)'),
+        ('node.get_parameter.value', 'Parentheses call it: node.get_parameter(…).value'),
+        ('Future().result.success', 'Parentheses call it, and what it returns has more'),
+        (
+            "node.create_publisher(String, 'a', 10).publish(data='alive')",
+            'It takes one message, which is made with its',
+        ),
+        (
+            "node.create_publisher(String, 'a', 10).publish(SetBool.Request())",
+            'of the type String, and this is a SetBool_Request: make a String',
+        ),
+        (
+            'from turtlesim.msg import Pose as Other\nfrom geometry_msgs.msg import Pose\n'
+            "node.create_publisher(Pose, 'a', 10).publish(Other())",
+            'Two types are called Pose: the publisher has that of geometry_msgs, and this one is of turtlesim.',
+        ),
+        ('0.5^2', 'a power is written with two stars'),
+        ("node.declare_parameter('rate', 1.0); -node.get_parameter('rate')", 'get_parameter(name).value'),
+        ('import os; os.environ["NOT_SET"]', "It is not set. os.environ.get('NOT_SET') gives None then, and no error."),
+        ('print()()', 'What is called here is None. If it is a callback, give the function itself'),
+        (
+            'async def both():\n    await [Future(), Future()]\n\nboth().send(None)',
+            '`await` takes one future. For many of them',
         ),
         ("node.create_publisher(String, 'a', 10)(String())", 'an object of the class Publisher'),
         ("ActionClient(Fibonacci, 'count')", 'It takes the node, the type and the name'),
@@ -166,7 +210,7 @@ def node(domain):
 def test_what_is_raised_is_explained(node, line, words):
     with pytest.raises(Exception) as raised:  # noqa: PT011 (which one it is, the line decides)
         exec(IMPORTS + line, {'node': node})
-    said = explain(type(raised.value).__name__, str(raised.value), answer=line, line=line)
+    said = explain(type(raised.value).__name__, str(raised.value), answer=line, lines=[line])
     assert words in said, repr(raised.value)
 
 
@@ -186,6 +230,67 @@ def test_what_is_raised_is_explained(node, line, words):
 )
 def test_a_callback_with_other_parameters(text, callback, words):
     assert words in explain('TypeError', text, callback=callback)
+
+
+@pytest.mark.parametrize(
+    ('line', 'said'),
+    [
+        ("self.create_service(SetBool, 'set', self.on_set())", True),
+        ("self.create_service(SetBool, 'set', callback=self.on_set())", True),
+        ('self.on_set())', True),
+        ('self.on_set()', False),  # no argument of a call
+        ('answer = self.on_set()', False),
+        ('self.publish(self.on_set(1))', False),  # it is called with something
+    ],
+)
+def test_a_callback_that_wants_two_arguments_and_is_called(line, said):
+    text = "Camera.on_set() missing 2 required positional arguments: 'request' and 'response'"
+    hint = 'If it is a callback, give the function itself, without parentheses: self.on_set, not self.on_set().'
+    assert explain('TypeError', text, lines=[line]) == (hint if said else '')
+
+
+@pytest.mark.parametrize(
+    ('outer', 'said'),
+    [
+        ('future.add_done_callback(self.publish(cloud, future.result()))', 'lambda future: self.publish(…)'),
+        ('self.create_timer(0.5, self.publish(cloud))', 'lambda: self.publish(…)'),
+        ("self.create_subscription(LaserScan, 'scan', self.publish(0), 10)", 'lambda …: self.publish(…)'),
+        ('future.add_done_callback(lambda future: self.publish(cloud, future.result()))', ''),
+        ("self.create_timer(self.value('period'), self.publish)", ''),
+        ('self.create_timer(1 / self.rate(), self.publish)', ''),
+    ],
+)
+def test_a_callback_that_is_called_where_it_is_given(outer, said):
+    text = "'NoneType' object is not subscriptable"
+    told = explain('TypeError', text, lines=[outer, 'cloud[0]'])
+    assert told.startswith('`self.publish(…)` is called here at once') and told.endswith(said) if said else told == ''
+    assert explain('TypeError', text, lines=[outer]) == '', 'the call itself may have come to its end'
+    told = explain('TypeError', "'NoneType' object is not callable", lines=[outer])
+    assert told.endswith(said) if said else told.startswith('What is called here is None.')
+
+
+def test_a_name_for_a_base_that_is_no_node():
+    text = 'StationKeeper.__init__() takes 1 positional argument but 2 were given'
+    told = explain('TypeError', text, lines=["super().__init__('delivery_robot', **options)"])
+    assert told == '`super()` is `StationKeeper` here, and not Node: its `__init__` takes no name, so leave it out.'
+    for other in ("StationKeeper('delivery_robot')", 'super().__init__(rate)', 'super().__init__()'):
+        assert explain('TypeError', text, lines=[other]) == ''
+
+
+@pytest.mark.parametrize(
+    ('line', 'said'),
+    [
+        ("self.get_logger.info('x')", '`get_logger` is a method. Parentheses call it: self.get_logger().info(…)'),
+        ('print(future.result.info)', '`result` is a function. Parentheses call it: future.result().info'),
+        ('steer.info', '`steer` is a function. Parentheses call it: steer(…).info'),
+        # Which one it is, the line does not show.
+        ('a.first.info, a.second.info', 'This is a function. Parentheses call it, and what it returns has more'),
+        ('self.clients[0].call.info', 'This is a function. Parentheses call it, and what it returns has more'),
+        ('', 'This is a function. Parentheses call it, and what it returns has more'),
+    ],
+)
+def test_a_method_without_its_parentheses(line, said):
+    assert explain('AttributeError', "'function' object has no attribute 'info'", lines=[line]).startswith(said)
 
 
 def test_a_goal_is_asked_for_its_request():
@@ -210,6 +315,12 @@ def test_a_goal_is_asked_for_its_request():
         ('ModuleNotFoundError', "No module named 'std_msgs.messages'"),
         ('TypeError', "ScanToMap.publish() missing 2 required positional arguments: 'cloud' and 'place'"),
         ('TypeError', "Node.get_parameter() missing 1 required positional argument: 'name'"),
+        ('TypeError', "object int can't be used in 'await' expression"),
+        ('TypeError', "unsupported operand type(s) for ^: 'str' and 'int'"),
+        ('TypeError', "bad operand type for unary -: 'str'"),
+        ('TypeError', "Own.publish() got an unexpected keyword argument 'data'"),
+        ('KeyError', "'AMENT_PREFIX_PATH'"),
+        ('AttributeError', "'super' object has no attribute 'on_timer'"),
     ],
 )
 def test_nothing_is_said_of_others(kind, text):

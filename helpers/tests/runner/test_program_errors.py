@@ -46,3 +46,13 @@ def test_a_loop_that_stands_in_another_cell_names_the_line_of_the_exercise():
     assert 'It was still at Exercise 8.8, line 11: `command.linear.x = forward`, called from Exercise 8.9, li' in told
     assert 'called from' not in str(hanging('call', 6.0, {'name': 'triage'}, [GIVEN, ANSWER], 'Exercise 8.9'))
     assert 'It was still' not in str(hanging('call', 6.0, {'name': 'triage'}, [], 'Exercise 8.9'))
+
+
+def test_functions_of_other_cells_and_the_lines_are_looked_at():
+    cells = ['def steer(x, y):\n    pass']
+    errors = ProgramErrors('Exercise 8.9', {}, 'class Own(Base):\n    def go(self):\n        self.steer(1, 2)', cells)
+    problem = {'kind': 'exception', 'type': 'AttributeError', 'text': "'Own' object has no attribute 'steer'"}
+    assert str(errors.of({**problem, 'lines': [ANSWER]}, {})).endswith('write it without `self.`.')
+    problem['text'] = "'function' object has no attribute 'info'"
+    line = {**ANSWER, 'code': "self.get_logger.info('x')"}
+    assert 'self.get_logger().info(…)' in str(errors.of({**problem, 'lines': [EARLIER, line]}, {}))
