@@ -1,6 +1,10 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('timeout_of_two_seconds_by_default', breaks='timeout', also=('newest', 'late', 'no-server', 'once'), old='timeout=1.0, tries=3',
+           new='timeout=2.0, tries=3', expect='without an argument `timeout` is 1.0'),
+    Mutant('two_tries_by_default', breaks='tries', also=('newest', 'once'), old='timeout=1.0, tries=3',
+           new='timeout=1.0, tries=2', expect='without an argument `tries` is 3'),
     Mutant('a_minute_at_most', breaks='timeout', old='self.create_timer(timeout, self.on_timeout',
            new='self.create_timer(min(timeout, 60.0), self.on_timeout', expect='failed came 60 s after the request'),
     Mutant('refused_later_asks_again', breaks='refusal', old="self.report('ok' if future.result().success else 'refused')",

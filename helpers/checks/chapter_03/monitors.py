@@ -163,6 +163,7 @@ class Watched:
     def __init__(self, learner, lidar, gaps, max_gap: float):
         self.learner, self.lidar, self.gaps, self.max_gap = learner, lidar, gaps, max_gap
         self.newest: float | None = None
+        self.last_gap: float | None = None  # the newest stamp when the last gap came, or the first stamp
         self.known = len(gaps)  # messages on scan_gap that are judged
         self.after_old = False  # the scan before was older than the newest one
         self.missing: list[str] = []  # gaps of which nothing was told when the scan came
@@ -175,6 +176,8 @@ class Watched:
         got, self.known = self.gaps.data[self.known :], len(self.gaps)
         self._judge(stamp, got)
         self.after_old = self.newest is not None and stamp < self.newest
+        if self.newest is None or stamp > self.newest + self.max_gap:
+            self.last_gap = stamp
         self.newest = stamp if self.newest is None else max(self.newest, stamp)
 
     def end(self) -> None:
@@ -203,11 +206,14 @@ class Watched:
             )
         elif gap <= self.max_gap:
             right = got and abs(got[0] - gap) < 1e-6
-            why = (
-                'The scan between them was older; it must not move the newest stamp back.'
-                if self.after_old
-                else 'Only a difference of more than max_gap is a gap.'
-            )
+            why = 'Only a difference of more than max_gap is a gap.'
+            if self.after_old:
+                why = 'The scan between them was older; it must not move the newest stamp back.'
+            elif not right and got and abs(got[0] - (stamp - self.last_gap)) < 1e-6:
+                why = (
+                    f'This is how long ago the stamp {self.last_gap:g} was, that of the last gap. Each scan that is '
+                    'not older is the newest one from then on, also without a gap.'
+                )
             expect(
                 not got,
                 f'{said}, {got} came on scan_gap. {why}',
@@ -219,7 +225,7 @@ class Watched:
             expect(
                 abs(got[0] - gap) < 1e-6,
                 f'{said}, scan_gap says {got[0]:g}, expected {gap:g}: the difference of '
-                'the stamps, with their nanoseconds.',
+                f'the stamps, {"without rounding" if abs(got[0] - gap) < 0.51 else "with their nanoseconds"}.',
                 'old' if self.after_old else 'gap',
             )
             expect(len(got) == 1, f'{said}, {len(got)} messages came on scan_gap: each gap is told once.', 'gap')

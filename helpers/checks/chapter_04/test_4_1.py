@@ -176,11 +176,27 @@ def test_answers(learner):
     """
     draw = learner.random
     delay = draw.choice([0.2, 0.5, 0.75])
-    gripper = Gripper(learner, {'success': True, 'message': draw.choice(['', 'refused'])}, delay=delay)
+    gripper = Gripper(learner, None)
     learner.run(draw.choice([0.4, 1.1]), step=1.0)
+    _without_arguments(gripper, draw.choice([False, True]))
+    gripper.server.answer, gripper.server.delay = {'success': True, 'message': draw.choice(['', 'refused'])}, delay
     _in_time(gripper, delay)
     _refused(gripper, draw.choice(['too hot', 'ok']))
     _late(gripper, draw.choice([1.1, 1.4]))
+
+
+def _without_arguments(gripper, data):
+    """The client was made without arguments: a silent server is asked three times, one second apart."""
+    gripper.command(data, 5.2, 'request')
+    stamps = gripper.server.stamps
+    seen = [round(stamp - stamps[0], 3) for stamp in stamps]
+    words = f'GripperClient() was made without arguments, and the server is silent: requests at {seen} s from the first'
+    expect(
+        seen == [float(number) for number in range(len(seen))],
+        f'{words}, expected at [0.0, 1.0, 2.0] s: without an argument `timeout` is 1.0.',
+        'timeout',
+    )
+    expect(len(seen) == 3, f'{words}, expected three of them: without an argument `tries` is 3.', 'tries')
 
 
 def _in_time(gripper, delay):

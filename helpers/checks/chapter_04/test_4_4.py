@@ -189,7 +189,7 @@ def test_all_at_once(learner):
         f'In the namespace {space} your node is called {node.name}, expected {space}/door_guard.',
         'names',
     )
-    lock = learner.serve(f'{space}/lock', SetBool, iter([{'success': False}] + [{'success': True}] * visitors), delay)
+    lock = learner.serve(f'{space}/lock', SetBool, {'success': True}, delay)
     enter, leave = (learner.client(f'{space}/{name}', Trigger) for name in ('enter', 'leave'))
     learner.settle()
     expect(
@@ -198,6 +198,8 @@ def test_all_at_once(learner):
         f'for {space}/lock: write the names without a leading slash.',
         'names',
     )
+    check_default(learner, lock, enter, leave)
+    lock.answer = iter([{'success': False}] + [{'success': True}] * visitors)
     calls = [enter.send() for _ in range(visitors)]
     learner.run(visitors * delay + 1.0, step=1.0)
     words = [call.response.message if call.done else 'no answer' for call in calls]
@@ -231,6 +233,28 @@ def test_all_at_once(learner):
         'full',
     )
     check_second_guard(learner, node, lock, enter)
+
+
+def check_default(learner, lock, enter, leave):
+    """A guard made without an argument has two places for people who come one after the other; then all leave."""
+    words = []
+    for _ in range(4):
+        call = enter.send()
+        with about('one-thread'):
+            learner.run(lock.delay + 0.3, step=1.0)
+        expect(call.done, NEVER, 'one-thread')
+        words.append(call.response.message)
+    places = words.count('welcome')
+    expect(
+        words != ['welcome'] * places + ['full'] * (4 - places) or places == 2,
+        f'DoorGuard() was made without an argument. Of 4 people, who came one after the other, {places} came in, '
+        'expected 2: without an argument `capacity` is 2.',
+        'capacity',
+    )
+    for _ in range(4):
+        leave.send()
+        learner.run(0.1)
+    lock.requests.clear()
 
 
 def check_second_guard(learner, node, lock, enter, inside=2):
