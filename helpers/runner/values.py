@@ -1,9 +1,9 @@
 """Python values as JSON and back: what may be an argument or a result of `learner.call`.
 
-Plain JSON values pass as they are (tuples become lists, numpy arrays and scalars plain numbers). That a result itself
-was a set, a tuple or a named tuple can be seen. ROS messages travel as their CDR bytes, QoS profiles, times and
-durations by their fields. Nothing else is sent: an object of another type becomes an `Opaque` with the type's name, so
-that a test can say what the function returned.
+Plain JSON values pass as they are (tuples become lists, if they are no `SentAsTuple`; numpy arrays and scalars plain
+numbers). That a result itself was a set, a tuple or a named tuple can be seen. ROS messages travel as their CDR bytes,
+QoS profiles, times and durations by their fields. Nothing else is sent: an object of another type becomes an `Opaque`
+with the type's name, so that a test can say what the function returned.
 """
 
 import base64
@@ -51,6 +51,16 @@ class EnumAsName(str):
     """A returned member of an enumeration, as its name, which in the learner's program it does not equal."""
 
 
+class EnumAsNumber(int):
+    """A returned member of an enumeration that is a number: it equals that number, and has `name` besides."""
+
+    name = ''
+
+
+class SentAsTuple(tuple):
+    """A tuple in an argument that has to arrive as a tuple: one can be in a set, or a key."""
+
+
 class NamedTupleAsList(list):
     """A returned named tuple, as a list: it equals a tuple, and has names besides."""
 
@@ -73,18 +83,21 @@ def encode(value, depth: int = 0):
     """Make `value` a JSON value. Raises ValueError if it is nested too deeply."""
     if depth > _MAX_DEPTH:
         raise ValueError('the value is nested too deeply')
-    if isinstance(value, Enum):
-        return {'$enum': str(value.name)}
+    if isinstance(value, Enum) and not isinstance(value, (str, float)):  # those are the text or number that they equal
+        number = {'value': int(value)} if isinstance(value, int) else {}
+        return {'$enum': str(value.name), **number}
     if value is None or isinstance(value, (bool, int, float, str)):
         # A subclass of int or str may behave differently: send the plain value.
         for plain in (bool, int, float, str):
             if isinstance(value, plain):
-                return plain(value)
+                return plain(value.value if isinstance(value, Enum) else value)
         return None
     if isinstance(value, (bytes, bytearray)):
         return {'$bytes': base64.b64encode(bytes(value)).decode()}
     if isinstance(value, (set, frozenset)):
         return {'$set': [encode(item, depth + 1) for item in sorted(value, key=repr)]}
+    if isinstance(value, SentAsTuple):
+        return {'$row': [encode(item, depth + 1) for item in value]}
     if isinstance(value, (list, tuple, deque, KeysView, ValuesView)):
         return [encode(item, depth + 1) for item in value]
     if isinstance(value, dict):
@@ -124,12 +137,18 @@ def decode(value, depth: int = 0):
         match value:
             case {'$bytes': str(data)}:
                 return base64.b64decode(data)
+            case {'$enum': str(name), 'value': int(number)}:
+                member = EnumAsNumber(number)
+                member.name = name
+                return member
             case {'$enum': str(name)}:
                 return EnumAsName(name)
             case {'$set': list(items)}:
                 return SetAsList(decode(item, depth + 1) for item in items)
             case {'$tuple': list(items)}:
                 return TupleAsList(decode(item, depth + 1) for item in items)
+            case {'$row': list(items)}:
+                return SentAsTuple(decode(item, depth + 1) for item in items)
             case {'$named': list(items)}:
                 return NamedTupleAsList(decode(item, depth + 1) for item in items)
             case {'$dict': list(items)}:

@@ -43,4 +43,29 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
         reason = 'supported'
     return [best, reason]
 '''),
+    Alternative('reasons_of_an_enumeration', edits=(
+        ("'supported'", 'Reason.OK'), ("'unknown Ubuntu'", 'Reason.UNKNOWN'),
+        ("'not released yet' if", 'Reason.TO_COME if'), ("'end of life'", 'Reason.ENDED'),
+    ), imports='''
+from enum import Enum
+
+
+class Reason(str, Enum):
+    OK = 'supported'
+    UNKNOWN = 'unknown Ubuntu'
+    TO_COME = 'not released yet'
+    ENDED = 'end of life'
+'''),
+    Alternative('rows_in_sets', source='''
+def choose_distribution(ubuntu, today, releases=RELEASES):
+    month = today[:7]
+    name_of = {row: name for name, row in releases.items()}
+    rows = {row + (number,) for number, row in enumerate(name_of) if row[0] == ubuntu}
+    supported = {row for row in rows if row[1] <= month <= row[2]}
+    if supported:
+        return name_of[max(supported, key=lambda row: row[2])[:3]], 'supported'
+    if not rows:
+        return None, 'unknown Ubuntu'
+    return None, 'not released yet' if {row for row in rows if row[1] > month} else 'end of life'
+'''),
 ]

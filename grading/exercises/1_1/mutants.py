@@ -158,4 +158,17 @@ def _choose(ubuntu, month, rows):
                """),
                ('first <= month <= last]', 'count(first) <= count(month) <= count(last)]'),
            ), expect='and not then', breaks='to-come', also=('months', 'ends-last', 'ended')),
+    Mutant('first_of_several_if_the_last_is_to_come', breaks='ends-last', expect='whose support ends last', old="""
+        if supported:
+            return max(supported, key=lambda name: mine[name][2]), 'supported'
+        """, new="""
+        last = max(mine, key=lambda name: mine[name][2])
+        if supported:
+            return last if last in supported else min(supported, key=lambda name: mine[name][2]), 'supported'
+        """),
+    Mutant('newest_of_those_that_end_in_a_year', old='mine[name][2])', new='(mine[name][2][:4], mine[name][1]))',
+           expect='whose support ends last', breaks='ends-last'),
+    Mutant('a_set', old="return max(supported, key=lambda name: mine[name][2]), 'supported'",
+           new="return {max(supported, key=lambda name: mine[name][2]), 'supported'}", expect='A set has no order',
+           breaks='pair'),
 ]

@@ -6,19 +6,23 @@ from random import Random
 
 from helpers.runner import about, expect
 from helpers.runner.first_call import FirstCall
+from helpers.runner.values import SentAsTuple, SetAsList
 
 RELEASES = {
-    'foxy': ['20.04', '2020-06', '2023-06'],
-    'galactic': ['20.04', '2021-05', '2022-12'],
-    'humble': ['22.04', '2022-05', '2027-05'],
-    'iron': ['22.04', '2023-05', '2024-12'],
-    'jazzy': ['24.04', '2024-05', '2029-05'],
-    'kilted': ['24.04', '2025-05', '2026-12'],
-    'lyrical': ['26.04', '2026-05', '2031-05'],
+    'foxy': SentAsTuple(('20.04', '2020-06', '2023-06')),
+    'galactic': SentAsTuple(('20.04', '2021-05', '2022-12')),
+    'humble': SentAsTuple(('22.04', '2022-05', '2027-05')),
+    'iron': SentAsTuple(('22.04', '2023-05', '2024-12')),
+    'jazzy': SentAsTuple(('24.04', '2024-05', '2029-05')),
+    'kilted': SentAsTuple(('24.04', '2025-05', '2026-12')),
+    'lyrical': SentAsTuple(('26.04', '2026-05', '2031-05')),
 }
 BOTH_SUPPORTED = [('24.04', '2026-08'), ('22.04', '2024-03'), ('20.04', '2021-09')]
 _LETTERS = ('Cedar', 'black gum', 'Elm_2', 'fir.1', 'GINKGO', 'holly-b')  # names of other kinds
-_NAMES = ('maple', 'nettle', 'oak', 'pine', 'quince', 'rowan', 'spruce', 'thuja', 'umber', 'viburnum')
+_NAMES = (
+    *('maple', 'nettle', 'oak', 'pine', 'quince', 'rowan', 'spruce', 'thuja', 'umber', 'viburnum'),
+    *('willow', 'yew', 'zelkova', 'acacia', 'beech'),
+)
 _WHY = {
     'ends-last': 'Of several supported ones, choose the one whose support ends last, not the newest.',
     'months': 'The first and the last month count, on every day of them. Compare months with months.',
@@ -76,28 +80,15 @@ def drawn_cases(random: Random) -> list[Case]:
     """Questions about a table of which nobody knows anything by heart."""
     # A century begins in it: who compares two digits of the years is found out.
     year = random.choice([random.randint(1993, 1998), random.randint(2093, 2098)])
-    long, gap, late, far = random.sample(['34.04', '36.04', '38.04', '40.04'], 4)
-    # Of several distributions for one Ubuntu those that end sooner come first in the table, older or newer.
-    rows = [
-        [long, f'{year + 1}-05', f'{year + 2}-11'],
-        [
-            late,
-            f'{year - 6}-03',
-            f'{year + 8}-02',
-        ],  # supported for longer than the other one, which ends in the same year
-        [long, f'{year}-05', f'{year + 9}-05'],
-        [late, f'{year + 1}-09', f'{year + 8}-10'],
-        [long, f'{year}-09', f'{year + 10}-02'],  # the third one for this Ubuntu
-    ]
-    rows.insert(random.randint(0, len(rows)), [far, f'{year + 13}-05', f'{year + 18}-05'])  # what is to come for others
-    for row in ([gap, f'{year}-05', f'{year + 1}-12'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
-        rows.insert(random.randint(0, len(rows)), row)
+    long, gap, late, far, near, same = random.sample(['34.04', '36.04', '38.04', '40.04', '44.04', '46.04'], 6)
     leap = next(one for one in range(year + 2, year + 12) if isleap(one))
-    rows.insert(random.randint(0, len(rows)), ['42.04', f'{year}-08', f'{leap}-02'])  # to the 29th
-    table = dict(zip(random.sample(_NAMES, len(rows)), rows, strict=True))
+    rows = _drawn_rows(random, year, leap, (long, gap, late, far, near, same))
+    table = dict(zip(random.sample(_NAMES, len(rows)), map(SentAsTuple, rows), strict=True))
     asked = [
         ('ends-last', long, f'{year + 1}-08'),
         ('ends-last', late, f'{year + 2}-10'),
+        ('ends-last', near, f'{year + 2}-07'),
+        ('ends-last', same, f'{year + 3}-07'),
         ('months', gap, f'{year + 1}-12'),
         ('months', late, f'{year - 6}-03'),
         ('months', gap, f'{year + 4}-05'),
@@ -117,14 +108,36 @@ def drawn_cases(random: Random) -> list[Case]:
         zip(['galactic', 'foxy', 'iron', 'humble', 'kilted', 'jazzy', 'lyrical'], RELEASES.values(), strict=True)
     )
     # The name of what has no end in ROS. Here it is a row like any other.
-    rolling = {'jazzy': ['24.04', '2024-05', '2029-05'], 'rolling': ['24.04', '2020-06', '2030-01']}
+    rolling = {'jazzy': RELEASES['jazzy'], 'rolling': SentAsTuple(('24.04', '2020-06', '2030-01'))}
     return [
         *[Case(rule, ubuntu, month, table) for rule, ubuntu, month in asked],
-        *[Case(rule, ubuntu, month, turned) for rule, ubuntu, month in asked if rule == 'to-come'],
+        *[Case(rule, ubuntu, month, turned) for rule, ubuntu, month in asked if rule in ('to-come', 'ends-last')],
         Case('table', '24.04', '2026-11', {}),
         Case('table', '24.04', '2026-11', rolling),
         *[Case('table', ubuntu, month, known) for ubuntu, month in BOTH_SUPPORTED],
     ]
+
+
+def _drawn_rows(random: Random, year: int, leap: int, systems: tuple[str, ...]) -> list[list[str]]:
+    """The rows of a table: of several distributions for one Ubuntu those that end sooner come first, older or newer."""
+    long, gap, late, far, near, same = systems
+    rows = [
+        [long, f'{year + 1}-05', f'{year + 2}-11'],
+        [late, f'{year - 6}-03', f'{year + 8}-02'],  # supported for longer than the other, which ends in the same year
+        [long, f'{year}-05', f'{year + 9}-05'],
+        [late, f'{year + 1}-09', f'{year + 8}-10'],
+        [long, f'{year}-09', f'{year + 10}-02'],  # the third one for this Ubuntu
+        [near, f'{year}-03', f'{year + 4}-06'],
+        [near, f'{year - 1}-05', f'{year + 6}-08'],
+        [near, f'{year + 5}-01', f'{year + 11}-02'],  # ends last of the three, and has not begun when it is asked
+        [same, f'{year - 2}-04', f'{year + 7}-11'],  # the older one ends later in the same year
+        [same, f'{year + 1}-04', f'{year + 7}-03'],
+    ]
+    rows.insert(random.randint(0, len(rows)), [far, f'{year + 13}-05', f'{year + 18}-05'])  # what is to come for others
+    for row in ([gap, f'{year}-05', f'{year + 1}-12'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
+        rows.insert(random.randint(0, len(rows)), row)
+    rows.insert(random.randint(0, len(rows)), ['42.04', f'{year}-08', f'{leap}-02'])  # to the 29th
+    return rows
 
 
 def border_cases(random: Random) -> list[Case]:
@@ -140,7 +153,7 @@ def border_cases(random: Random) -> list[Case]:
         rows.append([system, _month(first), _month(last)])
         asked += [(system, _month(month)) for month in (first - 1, first, last, last + 1)]
     names = random.sample((*_NAMES, *_LETTERS), len(rows))
-    table, renamed = (dict(zip(names[turn:] + names[:turn], rows, strict=True)) for turn in (0, 1))
+    table, renamed = (dict(zip(names[turn:] + names[:turn], map(SentAsTuple, rows), strict=True)) for turn in (0, 1))
     return [
         Case(_rule(system, month, table), system, month, now, before)
         for system, month in asked
@@ -179,6 +192,11 @@ def _check_day(learner, case: Case, today: str, first: FirstCall) -> None:
         first.check_again()
     first.note(got, case.ubuntu, today, *given)
     where = f'Ubuntu {case.ubuntu!r} on {today}' + (f' with the table {case.table}' if given else '')
+    expect(
+        not isinstance(got, SetAsList),
+        f'{where} gives a set. A set has no order, so nobody could say which of its two is the name: return a tuple.',
+        'pair',
+    )
     expect(isinstance(got, list) and len(got) == 2, f'{where} gives {got!r}; expected a pair (name, reason).', 'pair')
     expect(
         isinstance(got[0], str | None),

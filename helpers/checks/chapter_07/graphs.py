@@ -16,7 +16,7 @@ from rosidl_runtime_py.utilities import get_message, get_service
 from helpers.checks.chapter_07.findings import compare
 from helpers.programs.faults.words import misspelt
 from helpers.runner import about, expect
-from helpers.runner.values import EnumAsName
+from helpers.runner.values import EnumAsName, EnumAsNumber
 
 ROOMS = ('kitchen', 'cellar', 'attic', 'garage', 'hall')
 TOPICS = ('temperature', 'odom', 'scan', 'battery', 'joystick', 'wheel_speed', 'humidity')
@@ -326,7 +326,7 @@ def check_read(seen, there: list[dict]) -> None:
     """Fail with words if `seen`, by the learner's read_topics, is anything else than the endpoints that are there."""
     expect(isinstance(seen, list) and all(isinstance(end, dict) for end in seen), f'You return {seen!r}.', 'read')
     for end in seen:
-        members = [key for key, value in end.items() if isinstance(value, EnumAsName)]
+        members = [key for key, value in end.items() if isinstance(value, EnumAsName | EnumAsNumber)]
         expect(
             not members,
             f'You have {end}, whose {members and members[0]} is a member of an enumeration, and no string: write '

@@ -1,17 +1,35 @@
 """Values of a learner's program as the tests get them: they equal what was sent, and tell its type if it counts."""
 
 from collections import namedtuple
-from enum import IntEnum
+from enum import Enum
 
 import pytest
 from rclpy.duration import Duration
 from rclpy.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
 from std_msgs.msg import Header
 
-from helpers.runner.values import EnumAsName, NamedTupleAsList, SetAsList, TupleAsList, decode, encode, encode_result
+from helpers.runner.values import (
+    EnumAsName,
+    EnumAsNumber,
+    NamedTupleAsList,
+    SentAsTuple,
+    SetAsList,
+    TupleAsList,
+    decode,
+    encode,
+    encode_result,
+)
 
 Pair = namedtuple('Pair', 'name value')
-Colour = IntEnum('Colour', 'RED GREEN')
+Colour = Enum('Colour', 'RED GREEN')
+
+
+class Reason(str, Enum):
+    OK = 'supported'
+
+
+class Share(float, Enum):
+    HALF = 0.5
 
 
 def sent(value):
@@ -28,9 +46,21 @@ def test_a_value_equals_what_was_sent(value):
 
 
 def test_a_member_of_an_enumeration_is_its_name_and_is_told_from_a_text():
-    assert sent(ReliabilityPolicy.RELIABLE) == 'RELIABLE' and isinstance(sent(ReliabilityPolicy.RELIABLE), EnumAsName)
-    assert sent([Colour.GREEN]) == ['GREEN'] and not isinstance(sent('GREEN'), EnumAsName)
-    assert sent({'policy': Colour.RED}) == {'policy': 'RED'}
+    assert sent(Colour.GREEN) == 'GREEN' and isinstance(sent(Colour.GREEN), EnumAsName)
+    assert sent({'colour': [Colour.RED]}) == {'colour': ['RED']} and not isinstance(sent('GREEN'), EnumAsName)
+
+
+def test_a_member_that_is_a_text_or_a_number_equals_it_as_in_the_program():
+    assert sent([Reason.OK, Share.HALF]) == ['supported', 0.5] and type(sent(Reason.OK)) is str
+    assert sent({Reason.OK: 1}) == {'supported': 1}
+    reliable = sent(ReliabilityPolicy.RELIABLE)
+    assert reliable == 1 and isinstance(reliable, EnumAsNumber) and reliable.name == 'RELIABLE'
+    assert f'{reliable} {reliable!r}' == '1 1'
+
+
+def test_a_tuple_arrives_as_one_only_if_that_is_wanted():
+    assert sent({'row': SentAsTuple((1, 'a'))})['row'] == (1, 'a') and sent((1, 'a')) == [1, 'a']
+    assert {sent(SentAsTuple((1, 2))): 'a key'} == {(1, 2): 'a key'}
 
 
 def test_what_a_function_returns_is_told_from_a_list():
