@@ -128,7 +128,7 @@ MUTANTS = [
            expect='One of its three folders', breaks='python'),
     Mutant('part_before_the_last', old="folders = environ.get('PYTHONPATH', '').replace(':', '/').split('/')",
            new="folders = [part for folder in environ.get('PYTHONPATH', '').split(':') for part in folder.split('/')[-2:-1]]",
-           expect='One of its three folders', breaks='python'),
+           expect='counts wherever it stands', breaks='python'),
     Mutant('digits', old='domain.isdecimal()', new='domain.isdigit()', expect='invalid literal for int', breaks='domain'),
     Mutant('begins_with_off', old=REACH, new="""
         reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
@@ -170,4 +170,23 @@ MUTANTS = [
            expect='only AMENT_PREFIX_PATH and PYTHONPATH count', breaks='python'),
     Mutant('three_alone_is_another', old="part.startswith('python') and '.' in part", new="part.startswith('python') and part[6:7].isdigit()",
            expect='python3 alone is none', breaks='python'),
+    Mutant('exactly_two', old='or min(distros)}) > 1:', new='or min(distros)}) == 2:', expect='Three are in the path',
+           breaks='mixed'),
+    Mutant('an_empty_distro_excuses_a_mixture', old=MIXED, expect='Two distributions are in the path', breaks='mixed',
+           new="elif distros and environ.get('ROS_DISTRO') != '' and len(distros | {environ.get('ROS_DISTRO') or min(distros)}) > 1:"),
+    *[
+        Mutant(f'{which}_python_of_a_folder', old="folders = environ.get('PYTHONPATH', '').replace(':', '/').split('/')",
+               new=f"""
+               folders = []
+               for folder in environ.get('PYTHONPATH', '').split(':'):
+                   folders += [part for part in folder.split('/') if part.startswith('python') and '.' in part]{part}
+               """, expect='here there are two', breaks='python')
+        for which, part in (('first', '[:1]'), ('last', '[-1:]'))
+    ],
+    Mutant('three_digits_are_101', old='int(domain) <= 101)', new="(len(domain) < 3 or domain == '101'))",
+           expect='ROS_DOMAIN_ID=100', breaks='domain'),
+    Mutant('a_blank_at_its_end', old=REACH, new="""
+        reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
+        reach = reach.rstrip()
+        """, expect='letter by letter', breaks='unknown'),
 ]

@@ -12,7 +12,7 @@ PEOPLE = ('ada', 'linus', 'grace', 'alan')
 PYTHONS = ('3.8', '3.10', '3.11', '3.12', '3.13')
 RANGES = ('SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
 BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10', '7th', '²')
-BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB', 'OFFLINE', ' LOCALHOST')
+BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB', 'OFFLINE', ' LOCALHOST', 'SUBNET ')
 ANY_NAME = 'Two distributions are in the path: whatever stands behind /opt/ros/ is the name of one.'
 OTHER_PATHS = 'Of the variables with paths only AMENT_PREFIX_PATH and PYTHONPATH count here.'
 PREFIX, PYTHON, DOMAIN, RANGE = 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE'
@@ -100,7 +100,7 @@ def _workspaces(random: Random) -> list[Case]:
 
 def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
     second = other(random, DISTROS, distro)
-    more = random.sample([one for one in DISTROS if one != distro], 3)
+    more = random.sample([one for one in DISTROS if one not in (distro, second)], 3)
     two = [f'/opt/ros/{distro}', f'/opt/ros/{second}']
     mixed = {PREFIX: 'mixed'}
     sourced = 'Two distributions are in the path; ROS_DISTRO tells only which one was sourced last.'
@@ -121,6 +121,11 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
         ],
         Case('mixed', {PREFIX: f'{two[0]}:/opt/ros/{random.choice(INVENTED)}'}, mixed, ANY_NAME),
         Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
+        Case('mixed', {PREFIX: ':'.join(two), 'ROS_DISTRO': ''}, mixed, 'Two distributions are in the path.'),
+        *[
+            Case('mixed', {PREFIX: ':'.join(two + [f'/opt/ros/{more[0]}']), **said}, mixed, 'Three are in the path.')
+            for said in ({}, {'ROS_DISTRO': random.choice((distro, second, more[0]))})
+        ],
         Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
         Case('mixed', {PREFIX: thrice, 'ROS_DISTRO': distro}, {}, 'All three folders belong to one distribution.'),
@@ -207,7 +212,11 @@ def _pythons(random: Random, distro: str) -> list[Case]:
         )
         for wrong in ('2.7', '3.1', '3.8', random.choice(('3.10', '3.11', '3.13')))
     ]
-    good = healthy(random, distro)
+    return [*made, *_odd_pythons(random, healthy(random, distro), elsewhere)]
+
+
+def _odd_pythons(random: Random, good: dict, elsewhere: str) -> list[Case]:
+    """Folders with names that are nearly a Python's, or with several, or in unusual places."""
     tools = {**good, PYTHON: '/home/ada/python/tools:/home/ada/my.python3:/usr/lib/python3/dist-packages'}
     within = {
         **good,
@@ -215,7 +224,6 @@ def _pythons(random: Random, distro: str) -> list[Case]:
     }
     one, ten = random.sample(('3.1', '3.10'), 2)
     return [
-        *made,
         Case(
             'python',
             {PREFIX: good[PREFIX], PYTHON: f'{elsewhere}/python{ten}/site-packages'},
@@ -229,13 +237,22 @@ def _pythons(random: Random, distro: str) -> list[Case]:
             {PYTHON: 'other Python'},
             'One part of its folder is python3.10, whatever the part before it is called.',
         ),
+        *[
+            Case(
+                'python',
+                {PREFIX: good[PREFIX], PYTHON: f'/opt/python{above}/lib/python{below}/site-packages'},
+                {PYTHON: 'other Python'},
+                'A part pythonX.Y counts wherever it stands: here there are two, and one is for another Python.',
+            )
+            for above, below in (('3.12', '3.10'), ('3.10', '3.12'))
+        ],
         Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y: python3 alone is none.'),
         Case('python', within, {}, 'No part is pythonX.Y and nothing more, as it stands between two slashes.'),
     ]
 
 
 def _domains(random: Random, good: dict) -> list[Case]:
-    fine = ['0', '101', str(random.randint(1, 100))]
+    fine = ['0', '100', '101', str(random.randint(1, 100))]
     return [
         *[Case('domain', {**good, DOMAIN: text}, {}, 'That is a domain.') for text in fine],
         *[
