@@ -54,13 +54,16 @@ def test_a_goal_behind(learner):
         drive.node.stop()  # two drivers would steer one turtle
 
 
-@pytest.mark.rules('node', 'topics')
+@pytest.mark.rules('node', 'topics', 'reach')
 def test_names(learner):
-    """The topics are relative, and the node is called go_to_goal.
+    """The topics are relative, the node is called go_to_goal, and two of them drive to two goals.
 
-    No slash at the beginning of a topic's name.
+    No slash at the beginning of a topic's name; what belongs to one object is kept in self.
     """
-    goals.any_goal(learner, f'/sim{learner.random.randint(2, 9)}').check_ends()
+    drive = goals.any_goal(learner, f'/sim{learner.random.randint(2, 9)}')
+    drive.check_ends()
+    drive.begin_another()
+    drive.to_the_goal()
 
 
 @pytest.mark.rules('stop')
@@ -70,3 +73,12 @@ def test_at_the_goal_already(learner):
     math.atan2(0, 0) is 0, and that is no direction to drive in.
     """
     goals.there_already(learner).stays(1.0)
+
+
+@pytest.mark.rules('short-way')
+def test_near_goal_behind(learner):
+    """The turtle turns to a goal behind it before it drives, also if the goal is near.
+
+    How far the goal is does not say in which direction it is.
+    """
+    goals.near_behind(learner).turns_on_the_spot()

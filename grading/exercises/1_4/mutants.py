@@ -103,4 +103,8 @@ MUTANTS = [
            new='command.angular.z = 3.0 * (abs(error) if abs(error) > 2.0 else error)', expect='the long way round'),
     Mutant('far_to_the_right', old='command.angular.z = 3.0 * error', breaks='short-way',
            new='command.angular.z = 3.0 * (-abs(error) if abs(error) > 2.0 else error)', expect='the long way round'),
+    Mutant('goal_in_the_class', edits=(('self.x, self.y = x, y', 'GoToGoal.x, GoToGoal.y = x, y'),),
+           expect='the goal of a second object of your class', breaks='reach'),
+    Mutant('near_is_straight_ahead', old='if abs(error) < 0.3:', new='if abs(error) < 0.3 or distance < 0.5:',
+           expect='Turn first, also if the goal is near', breaks='short-way'),
 ]

@@ -29,6 +29,19 @@ class Drive:
             f'From ({start[0]:.1f}, {start[1]:.1f}), heading {math.degrees(start[2]):.0f}°, '
             f'to ({goal[0]:.1f}, {goal[1]:.1f}): '
         )
+        self.goal_beside: tuple[float, float] | None = None  # of another node, whose turtle gets no pose
+
+    def begin_another(self) -> None:
+        """A second object of the class, in a namespace and with a goal of its own, is made after this one."""
+        places = [self.start[:2], self.goal]
+        while len(places) == 2:
+            place = self.learner.random.uniform(2.5, 8.5), self.learner.random.uniform(2.5, 8.5)
+            if min(math.dist(place, one) for one in places) > 2:
+                places.append(place)
+        self.goal_beside = places[2]
+        with about('reach'):
+            space = {'__ns': f'{self.space}/second'}
+            self.learner.start('GoToGoal', *self.goal_beside, beside=self.node, remap=space)
 
     def check_ends(self) -> None:
         """Name, topics and queues are as specified."""
@@ -64,6 +77,15 @@ class Drive:
         first = self.error()
         nearest, turned, speeds = self._drive()
         self.drives_forwards_only()
+        if self.goal_beside is not None:
+            x, y = self.goal_beside
+            expect(
+                sim.distance(x, y) > 0.5,
+                f'{self.way}the turtle drove to ({x:.1f}, {y:.1f}), the goal of a second object of your class, which '
+                'was made later, in another namespace. Keep the goal in self: what stands in the class, or outside of it, '
+                'is the same for all objects.',
+                'reach',
+            )
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
         expect(sim.commands.messages, f'The simulator told its pose, and no command came on {COMMAND}.', 'reach')
         passed = (
@@ -155,6 +177,31 @@ class Drive:
             'short-way',
         )
 
+    def turns_on_the_spot(self) -> None:
+        """The turtle, which looks away from a near goal, does not go away from it, and comes to it."""
+        sim, farthest = self.sim, 0.0
+
+        def arrived():
+            nonlocal farthest
+            farthest = max(farthest, sim.distance(*self.goal))
+            return sim.distance(*self.goal) < WITHIN and sim.turtle.linear < 0.01
+
+        first = sim.distance(*self.goal)
+        with about('reach'):
+            sim.run(AT_MOST, until=arrived)
+        self.drives_forwards_only()
+        expect(
+            farthest < first + 0.02,
+            f'{self.way}the goal was {first:.2f} m behind the turtle, which drove until it was {farthest:.2f} m away '
+            'from it. Turn first, also if the goal is near, and drive when the turtle looks to the goal.',
+            'short-way',
+        )
+        expect(
+            sim.distance(*self.goal) < WITHIN,
+            f'{self.way}after {AT_MOST:g} s the turtle is {sim.distance(*self.goal):.2f} m away.',
+            'reach',
+        )
+
     def error(self) -> float:
         """How far the goal is to the left of where the turtle looks, in radians; below 0 it is to the right."""
         turtle = self.sim.turtle
@@ -242,6 +289,15 @@ def goal_behind(learner, side: int) -> Drive:
     goal = (6.5, y + learner.random.uniform(-0.02, 0.02))  # along x, where the other coordinate is right at once
     heading = side * learner.random.uniform(0.9, 1.1)
     return Drive(learner, (11.087, y, heading), goal)
+
+
+def near_behind(learner) -> Drive:
+    """The goal is 0.4 m behind the turtle, and no wall is near."""
+    start, _ = far_places(learner.random)
+    away = learner.random.uniform(-3.1, 3.1)
+    goal = start[0] - 0.4 * math.cos(away), start[1] - 0.4 * math.sin(away)
+    heading = away + learner.random.choice([-1, 1]) * learner.random.uniform(0.1, 0.5)
+    return Drive(learner, (*start, math.remainder(heading, 2 * math.pi)), goal)
 
 
 def across_the_world(learner) -> Drive:

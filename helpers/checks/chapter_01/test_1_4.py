@@ -15,6 +15,7 @@ def test_any_goal(learner):
     """
     drive = goals.any_goal(learner, f'/sim{learner.random.randint(2, 9)}', straight=True)
     drive.check_ends()
+    drive.begin_another()
     drive.to_the_goal()
     drive.stays(2.0)
 
@@ -51,3 +52,12 @@ def test_goal_behind(learner):
         drive = goals.goal_behind(learner, side)
         drive.to_the_goal(wall_near=True)
         drive.node.stop()  # two drivers would steer one turtle
+
+
+@pytest.mark.rules('short-way')
+def test_near_goal_behind(learner):
+    """The turtle turns to a goal behind it before it drives, also if the goal is near.
+
+    How far the goal is does not say in which direction it is.
+    """
+    goals.near_behind(learner).turns_on_the_spot()
