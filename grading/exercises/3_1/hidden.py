@@ -7,6 +7,7 @@ from helpers.checks.chapter_03.beacons import (
     check_awake,
     check_callbacks_do_not_sleep,
     check_own_publishers,
+    check_own_topic,
     check_unheard,
 )
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
@@ -138,7 +139,7 @@ def test_name_and_qos(learner):
     The name goes to super().__init__, the number 10 to create_publisher.
     """
     space = robot(learner.random)
-    learner.listen(f'{space}/beacon', String)
+    heard = learner.listen(f'{space}/beacon', String)
     with waiting('at-once'):
         beacon = learner.start('Beacon', remap={'__ns': space})
     check_name(beacon, 'beacon', 'node')
@@ -147,3 +148,4 @@ def test_name_and_qos(learner):
     with about('texts'):
         learner.run(0.6)
     check_topic(learner, 'publisher', space, 'beacon', 'topic')  # no callback has made another one
+    check_own_topic(learner, beacon, heard)

@@ -125,4 +125,6 @@ class Beacon(Node):
             time.sleep(0.25)
             self.count += 1
             """)), imports='import time', expect='A callback sleeps', breaks='rate', also=('first',)),
+    Mutant('publisher_in_the_class', edits=(('self.publisher =', 'Beacon.publisher ='),), breaks='topic',
+           expect='what is kept in the class, or outside of it'),
 ]

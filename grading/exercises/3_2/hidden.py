@@ -7,7 +7,7 @@ from sensor_msgs.msg import Range
 from std_msgs.msg import Header
 
 from helpers.checks.chapter_03.endpoints import check_name, check_nothing_else, check_queue, check_topic
-from helpers.checks.chapter_03.ranges import burst, check_burst, check_reading, reading
+from helpers.checks.chapter_03.ranges import burst, check_burst, check_own_topic, check_reading, reading
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('3.2'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
@@ -120,13 +120,13 @@ def test_namespace(learner):
     Relative names have no leading slash.
     """
     space = f'/arm{learner.random.randint(2, 9)}'
-    learner.listen(f'{space}/sonar', Range)
-    learner.talk(f'{space}/sonar_cm', Range)
+    heard, sensor = learner.listen(f'{space}/sonar', Range), learner.talk(f'{space}/sonar_cm', Range)
     node = learner.start('RangeToMetres', remap={'__ns': space})
     check_name(node, 'range_to_metres', 'node')
     for kind, topic in (('subscription', 'sonar_cm'), ('publisher', 'sonar')):
         check_topic(learner, kind, space, topic, 'topics')
         check_queue(learner, kind, f'{space}/{topic}', 10, 'qos')
+    check_own_topic(learner, node, heard, sensor)
 
 
 @pytest.mark.rules('one-each')

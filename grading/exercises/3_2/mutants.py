@@ -217,4 +217,6 @@ class RangeToMetres(Node):
         msg.variance /= 100**2
         msg.radiation_type = Range.INFRARED
         """, expect='radiation_type was', breaks='others'),
+    Mutant('publisher_in_the_class', edits=(('self.publisher =', 'RangeToMetres.publisher ='),), breaks='topics',
+           expect='what is kept in the class, or outside of it'),
 ]

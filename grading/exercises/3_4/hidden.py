@@ -11,6 +11,7 @@ from helpers.checks.chapter_03.maps import (
     check_answers,
     check_grid,
     check_once,
+    check_own_answers,
     grid_of,
     large_rows,
     one_row,
@@ -106,7 +107,7 @@ def test_reader_every_map(learner):
     """
     answers = learner.listen('/walls', Int32, ALL_KEPT)
     server = learner.talk('/map', OccupancyGrid, LATCHED)
-    learner.start('MapReader')
+    reader = learner.start('MapReader')
     check_topic(learner, 'subscription', '', 'map', 'topics')
     check_topic(learner, 'publisher', '', 'walls', 'topics')
     with about('walls'):
@@ -127,6 +128,7 @@ def test_reader_every_map(learner):
     check_nothing_else(learner, {'/walls'}, 'walls')
     late = learner.late_listener('/walls', Int32, ALL_KEPT)
     expect(len(late) == 1, f'A late listener on /walls gets {len(late)} answers; depth 1 keeps only the newest.', 'qos')
+    check_own_answers(learner, reader, answers, server)
 
 
 @pytest.mark.rules('server-node', 'reader-node', 'topics')

@@ -113,4 +113,6 @@ MUTANTS = [
            expect='values, expected', breaks='cells'),
     Mutant('hundred_columns_at_most', breaks='size', old='width=len(rows[0])', new='width=min(len(rows[0]), 100)',
            expect='the map is 100 wide'),
+    Mutant('publisher_of_the_reader_in_the_class', breaks='walls', expect='what is kept in the class, or outside of it',
+           old="self.publisher = self.create_publisher(Int32", new="MapReader.publisher = self.create_publisher(Int32"),
 ]

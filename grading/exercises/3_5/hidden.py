@@ -41,7 +41,7 @@ def test_safety_stop(learner):
 
     Ask on scan for no more than a lidar offers.
     """
-    stop, lidar = stops.start(learner, f'/base{learner.random.randint(2, 9)}')
+    stop, lidar, node = stops.start(learner, f'/base{learner.random.randint(2, 9)}')
     wanted = 4 * [True] + 4 * [False]
     learner.random.shuffle(wanted)
     for scan in stops.scans(learner.random, wanted):
@@ -57,6 +57,7 @@ def test_safety_stop(learner):
     )
     stops.check_again(learner, lidar, stop, scan, wanted[-1])
     stops.check_silence(learner, stop)
+    stops.check_own_topic(learner, node, lidar, stop)
 
 
 @pytest.mark.rules('stop')
@@ -65,7 +66,7 @@ def test_late_driver(learner):
 
     RELIABLE, TRANSIENT_LOCAL, depth 1 on stop.
     """
-    _, lidar = stops.start(learner, '')
+    _, lidar, _ = stops.start(learner, '')
     near = [learner.random.random() < 0.5 for _ in range(3)]
     for scan in stops.scans(learner.random, near):
         lidar.send(scan)

@@ -126,4 +126,6 @@ MUTANTS = [
             if self.count > 50:
                 return
         """, expect='however many there were before', breaks='rest'),
+    Mutant('publisher_in_the_class', edits=(('self.publisher =', 'SafetyStop.publisher ='),), breaks='rest',
+           expect='what is kept in the class, or outside of it'),
 ]

@@ -207,6 +207,16 @@ def test_old_scan(learner):
         'scan makes no gap, and changes nothing.',
         'old',
     )
+    later = 13.25 + learner.random.choice([7_000, 90_000, 200_000])
+    lidar.send(scan(later), scan(learner.random.choice([0.0, 12.5])), scan(later + 0.25))
+    learner.settle()
+    told = gaps.data[len(came) + 1 :]
+    expect(
+        not told,
+        f'After the stamp {later:g} came one that was hours older, then {later + 0.25:g}, and {told} came on scan_gap: '
+        'an old scan makes no gap, however old it is, and it must not move the newest stamp back.',
+        'old',
+    )
 
 
 @pytest.mark.rules('any-lidar', 'qos')
@@ -249,6 +259,7 @@ def test_two_monitors(learner):
     expect(
         rates.data[:2] == [5.0, 3.0], f'Two monitors heard 5 and 3 scans, and reported {rates.data[:2]}.', 'own-state'
     )
+    monitors.check_own_topics(learner, first, rates, gaps, lidar, 20.0, 3.0)
 
 
 @pytest.mark.rules('limit')

@@ -202,4 +202,12 @@ MUTANTS = [
                if self.reports > 30:
                    return
            """, breaks='silent', expect='expected one every 1.0 s'),
+    Mutant('publisher_of_gaps_in_the_class', old='self.gap = ', new='RateMonitor.gap = ', breaks='own-state',
+           expect='came on /other/scan_gap'),
+    Mutant('publisher_of_rates_in_the_class', old='self.rate = ', new='RateMonitor.rate = ', breaks='own-state',
+           expect='came on /other/scan_rate'),
+    Mutant('minutes_back_is_a_new_beginning', old='if gap >= 0 else', new='if gap >= 0 or gap < -600 else', breaks='old',
+           expect='it must not move the newest stamp back'),
+    Mutant('an_hour_back_is_a_new_beginning', old='if gap >= 0 else', new='if gap >= 0 or gap < -3600 else', breaks='old',
+           expect='it must not move the newest stamp back'),
 ]

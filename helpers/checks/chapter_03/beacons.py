@@ -5,6 +5,7 @@ from itertools import pairwise
 
 from std_msgs.msg import String
 
+from helpers.checks.chapter_03.apart import OTHER, check_own
 from helpers.checks.chapter_03.endpoints import check_topic
 from helpers.runner import about, expect, waiting
 
@@ -107,3 +108,15 @@ def check_own_publishers(learner, topic: str, count: int) -> None:
         'publisher of another one, and ends with it. Each constructor makes its own (self.create_publisher).',
         'topic',
     )
+
+
+def check_own_topic(learner, beacon, heard) -> None:
+    """A beacon goes on to speak on its own topic, which is `heard`, when another one is made in another namespace."""
+    others = learner.listen(f'{OTHER}/beacon', String)
+    with about('own-count'):
+        learner.start('Beacon', beside=beacon, remap={'__ns': OTHER})
+        learner.settle()
+        for recorded in (heard, others):
+            recorded.clear()
+        learner.run(0.6)
+    check_own('Beacon', 'They ran for 0.6 s', len(heard), len(others), 'beacon', 'publisher', 'topic')

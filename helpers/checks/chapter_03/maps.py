@@ -3,8 +3,10 @@
 import pytest
 from nav_msgs.msg import OccupancyGrid
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import Int32
 
-from helpers.runner import expect
+from helpers.checks.chapter_03.apart import OTHER, check_own
+from helpers.runner import about, expect
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 ALL_KEPT = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -132,3 +134,16 @@ def check_answers(answers: list[int], sent: list[list[str]], note: str = '') -> 
     expect(
         len(answers) == len(sent), f'{len(sent)} maps gave {len(answers)} answers; each map gets one.{note}', 'walls'
     )
+
+
+def check_own_answers(learner, reader, answers, server) -> None:
+    """A reader answers on its own topic, of which `answers` are, when another one is made in another namespace."""
+    others = learner.listen(f'{OTHER}/walls', Int32, ALL_KEPT)
+    with about('walls'):
+        learner.start('MapReader', beside=reader, remap={'__ns': OTHER})
+        learner.settle()
+        for recorded in (answers, others):
+            recorded.clear()
+        server.send(grid_of(one_row(learner.random)))
+        learner.settle()
+    check_own('MapReader', 'A map came to the first one', len(answers), len(others), 'walls', 'publisher', 'walls')

@@ -6,6 +6,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64
 
+from helpers.checks.chapter_03.apart import OTHER, check_own
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
@@ -229,3 +230,24 @@ class Watched:
                 'old' if self.after_old else 'gap',
             )
             expect(len(got) == 1, f'{said}, {len(got)} messages came on scan_gap: each gap is told once.', 'gap')
+
+
+def check_own_topics(learner, node, rates, gaps, lidar, newest: float, max_gap: float) -> None:
+    """A monitor reports on its own topics when another one has been made in another namespace.
+
+    :param newest, max_gap: the newest stamp that it has had, and its limit.
+    """
+    theirs = [learner.listen(f'{OTHER}/{topic}', Float64) for topic in ('scan_rate', 'scan_gap')]
+    with about('own-state'):
+        learner.start('RateMonitor', max_gap, beside=node, remap={'__ns': OTHER})
+        learner.settle()
+        for heard in (rates, gaps, *theirs):
+            heard.clear()
+        lidar.send(scan(newest + 1.5 * max_gap))
+        learner.settle()
+    story = f'A scan came to the first one {1.5 * max_gap:g} s after the newest stamp'
+    check_own('RateMonitor', story, len(gaps), len(theirs[1]), 'scan_gap', 'publishers', 'own-state')
+    with about('own-state'):
+        learner.run(1.1, step=1.0)
+    story = 'They ran for more than a second'
+    check_own('RateMonitor', story, len(rates), len(theirs[0]), 'scan_rate', 'publishers', 'own-state')

@@ -6,7 +6,8 @@ import pytest
 from sensor_msgs.msg import Range
 from std_msgs.msg import Header
 
-from helpers.runner import expect
+from helpers.checks.chapter_03.apart import OTHER, check_own
+from helpers.runner import about, expect
 
 
 def reading(random, **changes) -> Range:
@@ -125,3 +126,18 @@ def check_reading(got: Range, sent: Range) -> None:
         'convert.',
         'others',
     )
+
+
+def check_own_topic(learner, relay, heard, sensor) -> None:
+    """A relay publishes on its own topic, which is `heard`, when another one has been made in another namespace."""
+    others = learner.listen(f'{OTHER}/sonar', Range)
+    with about('one-each'):
+        learner.start('RangeToMetres', beside=relay, remap={'__ns': OTHER})
+        learner.settle()
+        for recorded in (heard, others):
+            recorded.clear()
+        sensor.send(reading(learner.random))
+        learner.settle()
+    learner.wait_until(lambda: heard.messages or others.messages, 0.5)
+    story = 'A message went in to the first one'
+    check_own('RangeToMetres', story, len(heard), len(others), 'sonar', 'publisher', 'topics')

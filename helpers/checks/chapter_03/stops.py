@@ -6,6 +6,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool
 
+from helpers.checks.chapter_03.apart import OTHER, check_own
 from helpers.checks.chapter_03.endpoints import check_lifespan, check_name, check_topic
 from helpers.runner import expect
 
@@ -13,7 +14,7 @@ LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
 def start(learner, space: str):
-    """Lidar, SafetyStop and driver, in the namespace: what the driver hears, and the lidar's publisher.
+    """Lidar, SafetyStop and driver, in the namespace: what the driver hears, the lidar's publisher, and the node.
 
     :raises ExpectationFailed: they cannot be connected, or the node is another one than was given.
     """
@@ -56,7 +57,7 @@ def start(learner, space: str):
             f'The depth of {topic} was {depth} and has become {", ".join(map(str, found))}: the depths were right.',
             'rest',
         )
-    return stop, lidar
+    return stop, lidar, node
 
 
 def scans(random, near: list[bool]) -> list[LaserScan]:
@@ -111,3 +112,15 @@ def check_silence(learner, stop) -> None:
         'only the QoS.',
         'rest',
     )
+
+
+def check_own_topic(learner, node, lidar, stop) -> None:
+    """A stop answers on its own topic, which is `stop`, when another one has been made in another namespace."""
+    others = learner.listen(f'{OTHER}/stop', Bool, LATCHED, strict=False)
+    learner.start('SafetyStop', beside=node, remap={'__ns': OTHER})
+    learner.settle()
+    for recorded in (stop, others):
+        recorded.clear()
+    lidar.send(LaserScan(ranges=[learner.random.uniform(1.0, 9.0)]))
+    learner.run(0.1)
+    check_own('SafetyStop', 'A scan came to the first one', len(stop), len(others), 'stop', 'publisher', 'rest')

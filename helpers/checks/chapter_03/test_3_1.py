@@ -9,6 +9,7 @@ from helpers.checks.chapter_03.beacons import (
     check_awake,
     check_callbacks_do_not_sleep,
     check_own_publishers,
+    check_own_topic,
     check_unheard,
 )
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
@@ -47,6 +48,7 @@ def test_beacon(learner):
         check_own_publishers(learner, f'{space}/beacon', 2)
         learner.run(1.1, step=1.0)
     check_second(heard, quarters, begin)
+    check_own_topic(learner, beacon, heard)
 
 
 @pytest.mark.rules('topic', 'rate', 'texts')

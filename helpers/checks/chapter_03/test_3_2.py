@@ -6,7 +6,7 @@ import pytest
 from sensor_msgs.msg import Range
 
 from helpers.checks.chapter_03.endpoints import check_name, check_nothing_else, check_queue, check_topic, robot
-from helpers.checks.chapter_03.ranges import burst, check_burst, check_reading, reading
+from helpers.checks.chapter_03.ranges import burst, check_burst, check_own_topic, check_reading, reading
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('3.2'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
@@ -65,6 +65,7 @@ def test_relay(learner):
     check_number(learner, heard, count, 'one-each')
     check_nothing_else(learner, {f'{space}/sonar'}, 'one-each')
     check_second(learner, heard, sensor, node)
+    check_own_topic(learner, node, heard, sensor)
 
 
 def check_second(learner, heard, sensor, node):

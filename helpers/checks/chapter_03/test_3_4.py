@@ -11,6 +11,7 @@ from helpers.checks.chapter_03.maps import (
     check_answers,
     check_grid,
     check_once,
+    check_own_answers,
     grid_of,
     large_rows,
     one_row,
@@ -115,3 +116,4 @@ def test_reader(learner):
     learner.run(61.0, step=10.0)
     check_answers(answers.data, maps + many)
     check_nothing_else(learner, {f'{space}/walls'}, 'walls')
+    check_own_answers(learner, reader, answers, server)

@@ -29,7 +29,7 @@ def test_safety_stop(learner):
     Compare the QoS of both topics with what lidar and driver use; they need two different profiles.
     """
     random, space = learner.random, robot(learner.random)
-    stop, lidar = stops.start(learner, space)
+    stop, lidar, node = stops.start(learner, space)
     near = random.choice([[True, False, True, True, False, True], [False, True, True, False, True, True]])
     for scan in stops.scans(random, near):
         lidar.send(scan)
@@ -51,3 +51,4 @@ def test_safety_stop(learner):
     )
     stops.check_again(learner, lidar, stop, scan, near[-1])
     stops.check_silence(learner, stop)
+    stops.check_own_topic(learner, node, lidar, stop)

@@ -33,7 +33,7 @@ def test_monitor(learner):
     stamp = 0.0  # a simulated sensor begins so: it is a stamp like any other
     watched = monitors.Watched(learner, lidar, gaps, max_gap)
     steps = draw_steps(random, max_gap)
-    for count in (5, 8):
+    for count in (5, 10):
         for _ in range(count):
             stamp += steps.pop(0)
             watched.send(stamp)
@@ -59,7 +59,8 @@ def test_monitor(learner):
         'A callback sleeps, or waits in a loop: what it says comes late, and other scans wait meanwhile.',
         'at-once',
     )
-    check_second(learner, rates, gaps, lidar, node, stamp)
+    newest = check_second(learner, rates, gaps, lidar, node, stamp)
+    monitors.check_own_topics(learner, node, rates, gaps, lidar, newest, max_gap)
 
 
 @pytest.mark.rules('limit', 'report')
@@ -74,16 +75,19 @@ def test_limits(learner):
 
 
 def draw_steps(random, max_gap):
-    """By how many seconds each of 13 stamps is later than the newest one before it; an older scan has a negative step.
+    """By how many seconds each of 15 stamps is later than the newest one before it; an older scan has a negative step.
 
     A gap comes after the first stamp. An older scan comes in the same second as the newest, and max_gap follows; two
     gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another one is very late,
-    follows a gap of minutes directly, and then comes a gap.
+    follows a gap of a day directly, and then comes a gap. The last
+    but one has the stamp 0 again.
     """
     late = -max_gap - random.choice([0.25, 0.5, 1.5])
     fresh = [0, max_gap + 0.125, max_gap, -0.125, max_gap]
     very_late = -random.choice([20.5, 75.25, 300.125])
-    return [*fresh, *2 * [max_gap + 0.625], 0.125, late, max_gap, max_gap + 600.25, very_late, max_gap + 0.375]
+    day = max_gap + random.choice([90_000.25, 200_000.5])
+    steps = [*fresh, *2 * [max_gap + 0.625], 0.125, late, max_gap, day, very_late, max_gap + 0.375]
+    return [*steps, -sum(step for step in steps if step > 0), max_gap]
 
 
 def check_reports(rates, sent, begin):
@@ -114,7 +118,7 @@ def check_reports(rates, sent, begin):
         'report',
     )
     expect(
-        (sent[-1], rates.data[-1]) not in ((5, 4), (8, 6)),
+        (sent[-1], rates.data[-1]) not in ((5, 4), (10, 7)),
         f'Of {sent[-1]} scans in a second some were older than the newest; scan_rate says {rates.data[-1]:g}: they '
         'count, too.',
         'old',
@@ -127,7 +131,10 @@ def check_reports(rates, sent, begin):
 
 
 def check_second(learner, rates, gaps, lidar, node, stamp):
-    """A second monitor in the same program, with the default limit, between two reports of the first one."""
+    """A second monitor in the same program, with the default limit, between two reports of the first one.
+
+    Returns the newest stamp that both have had.
+    """
     begin = learner.now / 1e9
     before, long = len(gaps), learner.random.randint(100, 4000)
     with about('own-state'):
@@ -183,3 +190,4 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
         f'{JUST_MORE} s, and {came} came on scan_gap: max_gap is 0.5 then.',
         'limit',
     )
+    return stamp + 2 * long + 10.5 + JUST_MORE
