@@ -6,7 +6,7 @@ import pytest
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
-from helpers.checks.chapter_04.gripping import check_script
+from helpers.checks.chapter_04.gripping import check_before_commands, check_script
 from helpers.checks.chapter_04.test_4_1 import (
     check_bursts,
     check_constructor,
@@ -80,7 +80,7 @@ def test_only_late_answers(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('request', 'timeout', 'tries')
+@pytest.mark.rules('request', 'timeout', 'tries', 'once')
 @about('request')
 def test_timeout_and_tries(learner):
     """timeout and tries are arguments.
@@ -92,6 +92,8 @@ def test_timeout_and_tries(learner):
     states, close, server = gripper(learner, None, timeout, tries)
     before = learner.slept  # by the constructor, which another test judges
     learner.run(0.7)
+    words = f'GripperClient({timeout}, {tries}), a silent server, a command at 0.7 s: '
+    check_before_commands(words, list(zip(states.stamps, states.data, strict=True)))
     close.send(Bool(data=data))
     with about('request'):
         learner.settle()
@@ -104,7 +106,6 @@ def test_timeout_and_tries(learner):
         f'close said {data}, a request says {not data}.',
         'request',
     )
-    words = f'GripperClient({timeout}, {tries}), a silent server, a command at 0.7 s: '
     wanted = [round(0.7 + n * timeout, 3) for n in range(tries)]
     seen = [round(stamp, 3) for stamp in server.stamps]
     expect(len(seen) > 1, f'{words}no second request came. When the timeout is over, send the next one.', 'timeout')

@@ -245,7 +245,7 @@ class GripperClient(Node):
     Mutant('late_refusals_count', breaks='late', old='if future is self.future:',
            new='if future is self.future or self.future and not future.result().success:', also='newest',
            expect='Until the next command gripper_state said'),
-    Mutant('fails_once', breaks='tries', old="return self.report('failed')", new="""
+    Mutant('fails_once', breaks='tries', also='late', old="return self.report('failed')", new="""
             self.failed, known = True, getattr(self, 'failed', False)
             return self.timer.cancel() if known else self.report('failed')
             """, expect='gripper_state said'),
@@ -266,4 +266,15 @@ class GripperClient(Node):
         if self.count <= 25:
             self.state.publish(String(data=text))
 ''', expect='each command is reported'),
+    Mutant('state_in_the_class', old='self.state = ', new='GripperClient.state = ', breaks='answer',
+           expect='came on /other/gripper_state'),
+    Mutant('client_in_the_class', old='self.client = ', new='GripperClient.client = ', breaks='request',
+           expect='came on /other/set_gripper'),
+    Mutant('tries_in_the_class', edits=(('self.tries, self.left, self.future = tries, 0, None',
+                                         'GripperClient.tries, self.left, self.future = tries, 0, None'),),
+           breaks='tries', expect='as many as the `tries` of the other one'),
+    Mutant('timer_runs_from_the_start', old='self.on_timeout, autostart=False)', new='self.on_timeout)', breaks='once',
+           expect='before any command'),
+    Mutant('answer_is_not_looked_at', old='self.future.add_done_callback(self.on_answer)', new='', breaks='answer',
+           also=('refusal', 'newest', 'no-server', 'late', 'names'), expect='has the future of each request a done-callback'),
 ]

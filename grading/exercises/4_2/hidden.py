@@ -8,7 +8,7 @@ from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
 from helpers.checks.chapter_03.endpoints import check_lifespan
-from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn, fill_others
+from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn, check_own_topic, fill_others
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
@@ -212,7 +212,7 @@ def test_any_numbers(learner):
     check_drawn(learner, client, heard, 100)
 
 
-@pytest.mark.rules('names')
+@pytest.mark.rules('names', 'publish')
 def test_namespace(learner):
     """Two cameras in two namespaces do not disturb each other.
 
@@ -233,3 +233,4 @@ def test_namespace(learner):
     accepted(client, 'names')
     counts = [len(heard) for heard in eyes.values()]
     expect(counts == [0, 1], f'The right camera was calibrated; left and right published {counts} times.')
+    check_own_topic(learner, node, client, eyes['/right'], info())

@@ -158,4 +158,6 @@ MUTANTS = [
     Mutant('region_inside_of_the_image', breaks='size', also='publish', old='info.width > 0 and info.height > 0',
            new='info.width > 0 and info.height > 0 and info.roi.x_offset + info.roi.width <= info.width',
            expect='Header, binning, roi'),
+    Mutant('publisher_in_the_class', old='self.publisher = ', new='Camera.publisher = ', breaks='publish',
+           expect='came on /other/camera_info'),
 ]

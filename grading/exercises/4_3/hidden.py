@@ -3,13 +3,14 @@
 import pytest
 from std_srvs.srv import Trigger
 
+from helpers.checks.chapter_04.test_4_3 import check_own_parts
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time', namespace='names')]
 
 NEVER = 'status was never answered.'
 
-SAID = {'battery': ' Is  here ', 'lidar': ''}  # what the parts say, whatever it is
+SAID = {'battery': ' Is  für  東 °', 'lidar': ''}  # what the parts say, whatever it is
 WANTED = f'battery: {SAID["battery"]}; lidar: {SAID["lidar"]}'
 
 
@@ -200,3 +201,4 @@ def test_namespace(learner):
         'names',
     )
     expect(call.done, NEVER, 'one-thread')
+    check_own_parts(learner, node, status, (battery, lidar))

@@ -138,4 +138,15 @@ MUTANTS = [
             self.last = response.success, response.message
             return response
             ''')), expect='was asked 8 times, expected 9', breaks='fresh'),
+    Mutant('battery_in_the_class', old='self.battery = ', new='StatusPanel.battery = ', breaks='names',
+           expect='came on /other/battery/check'),
+    Mutant('lidar_in_the_class', old='self.lidar = ', new='StatusPanel.lidar = ', breaks='names',
+           expect='came on /other/lidar/check'),
+    *[
+        Mutant(f'only_{code}', breaks='message', expect='The message of the status is', new=f'''
+               response.message = f'battery: {{battery.message}}; lidar: {{lidar.message}}'
+               response.message = response.message.encode({encoding!r}, 'ignore').decode({encoding!r})
+               ''', old="response.message = f'battery: {battery.message}; lidar: {lidar.message}'")
+        for code, encoding in (('ascii', 'ascii'), ('latin', 'latin-1'))
+    ],
 ]

@@ -3,7 +3,7 @@
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
-from helpers.checks.chapter_04.test_4_4 import Room, check_second_guard, people
+from helpers.checks.chapter_04.test_4_4 import Room, check_default, check_own_lock, check_second_guard, people
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open', namespace='names')]
@@ -212,6 +212,17 @@ def test_two_rooms(learner):
     expect(told(call) == (True, 'welcome'), f'enter in room 2 says {told(call)}.', 'names')
     leave = rooms[1][2]
     expect(leave.name in leave.theirs(), f'There is no service {leave.name}: no leading slash in its name.', 'names')
+    lock, enter, leave, node = rooms[1]
+    check_own_lock(learner, node, lock, enter, leave)
+
+
+@pytest.mark.rules('capacity', 'one-thread')
+@about('welcome')
+@waiting('one-thread')
+def test_without_an_argument(learner):
+    """A guard that is made without an argument has a room for two."""
+    lock, enter, leave, _ = guard(learner, {'success': True}, delay=0.2)
+    check_default(learner, lock, enter, leave)
 
 
 @pytest.mark.rules('full', 'welcome')

@@ -146,6 +146,8 @@ MUTANTS = [
             answer = await self.lock.call_async(SetBool.Request(data=False))
             """), ('self.inside += answer.success', 'self.inside = before + answer.success')),
            expect='left while the lock was slow'),
-    Mutant('three_places_by_default', breaks='capacity', old='capacity=2', new='capacity=3', also=('full',),
+    Mutant('three_places_by_default', breaks='capacity', old='capacity=2', new='capacity=3', also=('full', 'locked'),
            expect='without an argument `capacity` is 2'),
+    Mutant('lock_in_the_class', old='self.lock = ', new='DoorGuard.lock = ', breaks='names',
+           expect='came on /other/lock'),
 ]

@@ -5,6 +5,7 @@ from math import inf, nan, nextafter
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
+from helpers.checks.chapter_03.apart import OTHER, check_own
 from helpers.runner import about, expect
 
 MODEL = 'plumb_bob'
@@ -185,3 +186,19 @@ def text(unusual) -> str:
     """The unusual places of a calibration, for a message."""
     told = (f'{name} = {value!r}' for name, value in unusual.items())
     return ', '.join(told) or 'good numbers'
+
+
+def check_own_topic(learner, node, client, heard, info: CameraInfo) -> None:
+    """A camera publishes on its own topic, which is `heard`, when another one has been made in another namespace.
+
+    :param client, info: of the first camera's service, and a calibration that it accepts.
+    """
+    others = learner.listen(f'{OTHER}/camera_info', CameraInfo)
+    with about('always'):
+        learner.start('Camera', beside=node, remap={'__ns': OTHER})
+        learner.settle()
+        for recorded in (heard, others):
+            recorded.clear()
+        client.call(camera_info=info)
+    story = 'The first one accepted a calibration'
+    check_own('Camera', story, len(heard), len(others), 'camera_info', 'publisher', 'publish')

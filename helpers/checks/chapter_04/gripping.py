@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
+from helpers.checks.chapter_03.apart import OTHER, check_own
 from helpers.runner import about, expect
 
 MS = 0.001  # times are counted in milliseconds
@@ -141,6 +142,11 @@ def _compare(story: Story, requests, reports) -> None:
     if seen is None and told is None:
         return
     at = min(time for time in (seen, told) if time is not None)
+    first = story.commands[0][0]
+    check_before_commands(
+        f'GripperClient({story.timeout * MS:g}, {story.tries}), the first command at {first * MS:.3f} s: ',
+        [(time * MS, word) for time, word in reports if time < first],
+    )
     begin, data = max((command for command in story.commands if command[0] <= at), default=story.commands[0])
     words = (
         f'GripperClient({story.timeout * MS:g}, {story.tries}), the command {data} at {begin * MS:.3f} s'
@@ -211,3 +217,48 @@ def _rule_of_requests(story, sent, due, reports) -> str:
     if story.tries >= len(sent) > len(due):  # one more after the answer, which is reported or not
         return 'once' if any(time <= sent[len(due)][0] for time, _ in reports) else 'refusal'
     return 'tries' if len(sent) != len(due) else 'timeout'
+
+
+def check_before_commands(words: str, reports: list[tuple[float, str]]) -> None:
+    """Nothing was reported before the first command; `reports` are what was, each with its time in seconds."""
+    time, word = reports[0] if reports else (0.0, '')
+    expect(
+        not reports,
+        f'{words}gripper_state says {word} at {time:g} s, before any command. Does a timer run from the start? With '
+        'autostart=False it begins with reset().',
+        'once',
+    )
+
+
+def check_own_state(learner) -> None:
+    """Two clients in one program, in two namespaces, hear a command each, and their servers are silent.
+
+    What the first one does is judged: its server, its topic, its number of tries and its timeout are its own.
+    """
+    draw = learner.random
+    tries, timeouts = draw.sample([2, 4, 5], 2), draw.sample([0.3, 0.5, 0.8], 2)
+    servers, states, lines = [], [], []
+    node, spaces = None, ('/first', OTHER)
+    for space, *arguments in zip(spaces, timeouts, tries, strict=True):
+        servers.append(learner.serve(f'{space}/set_gripper', SetBool, None))
+        states.append(learner.listen(f'{space}/gripper_state', String))
+        lines.append(learner.talk(f'{space}/close', Bool))
+        made = learner.start('GripperClient', *arguments, beside=node, remap={'__ns': space})
+        node = node or made
+    learner.settle()
+    for line in lines:
+        line.send(Bool(data=True))
+    with about('request'):
+        learner.run(5.0, step=1.0)
+    story = 'Each heard a command, and its server is silent'
+    asked = [len(server.requests) for server in servers]
+    check_own('GripperClient', story, *asked, 'set_gripper', 'client', 'request')
+    seen = [round(stamp - servers[0].stamps[0], 3) for stamp in servers[0].stamps]
+    words = (
+        f'GripperClient({timeouts[0]}, {tries[0]}) is in one program with GripperClient({timeouts[1]}, {tries[1]}), '
+        f'made after it. {story}. The first one sent requests at {seen} s from the first of them'
+    )
+    own = 'Keep it in the object (self.… =): what is kept in the class, or outside of it, belongs to the one made last.'
+    expect(len(seen) != tries[1], f'{words}: as many as the `tries` of the other one. {own}', 'tries')
+    expect(seen[1:2] != timeouts[1:], f'{words}: with the `timeout` of the other one. {own}', 'timeout')
+    check_own('GripperClient', story, *map(len, states), 'gripper_state', 'publisher', 'answer')

@@ -6,7 +6,7 @@ import pytest
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
-from helpers.checks.chapter_04.gripping import check_script
+from helpers.checks.chapter_04.gripping import check_before_commands, check_own_state, check_script
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
@@ -58,7 +58,7 @@ class Gripper:
         return len(self.server.stamps)
 
 
-@pytest.mark.rules('request', 'timeout', 'tries')
+@pytest.mark.rules('request', 'timeout', 'tries', 'once')
 @about('request')
 def test_silent_server(learner):
     """A silent server is asked `tries` times, `timeout` seconds apart, and then the report is failed.
@@ -71,10 +71,11 @@ def test_silent_server(learner):
     gripper = Gripper(learner, None, timeout, tries)
     states, server = gripper.states, gripper.server
     learner.run(begin)
+    words = f'GripperClient({timeout}, {tries}), a silent server, a command at {begin} s: '
+    check_before_commands(words, list(zip(states.stamps, states.data, strict=True)))
     gripper.close.send(Bool(data=data))
     with about('request'):
         learner.settle()
-    words = f'GripperClient({timeout}, {tries}), a silent server, a command at {begin} s: '
     gripper.judge_sleep()
     expect(
         server.stamps,
@@ -127,6 +128,7 @@ def test_one_try(learner):
     Also the first request counts.
     """
     check_two_clients(check_one_try(learner))
+    check_own_state(learner)
 
 
 def check_one_try(learner) -> Gripper:
@@ -157,6 +159,13 @@ def check_two_clients(gripper) -> None:
         'One client has one try, the other one three, and the server said yes to both after 0.2 s. gripper_state says '
         f'{gripper.states.data}: failed comes only when the timeout of the last request is over.',
         'tries',
+    )
+    expect(
+        gripper.states.data or count != 2,
+        'Two objects of your class in one program heard the same command, the server said yes to both requests, and '
+        'nothing came on gripper_state. Is the answer looked at: has the future of each request a done-callback '
+        '(add_done_callback), or an await?',
+        'answer',
     )
     expect(
         (count, gripper.states.data) == (2, ['ok', 'ok']),

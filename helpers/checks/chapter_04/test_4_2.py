@@ -8,7 +8,7 @@ from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
 from helpers.checks.chapter_03.endpoints import check_lifespan
-from helpers.checks.chapter_04.cameras import HINTS, OTHER_MODELS, check_drawn, fill_others
+from helpers.checks.chapter_04.cameras import HINTS, OTHER_MODELS, check_drawn, check_own_topic, fill_others
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
@@ -159,7 +159,7 @@ def test_published(learner):
     """
     draw = learner.random
     space = draw.choice(['/left', '/right', '/head/front'])
-    client = _start(learner, space)
+    node, client = _start(learner, space)
     heard, some = learner.listen(f'{space}/camera_info', CameraInfo), Calibrations(learner, client)
     learner.run(0.2)
     early = learner.late_listener(heard.topic, CameraInfo, LATCHED)  # it gets what the constructor has published, too
@@ -182,10 +182,11 @@ def test_published(learner):
     learner.run(61.0, step=10.0)
     expect(len(heard) == 3, 'With no new calibration, camera_info was published again.', 'publish')
     _listen_late(learner, heard.topic, last)
+    check_own_topic(learner, node, client, heard, some.info())
 
 
 def _start(learner, space):
-    """Start the camera in a namespace; returns a client of its service, which is there as its topic is."""
+    """Start the camera in a namespace; returns it and a client of its service, which is there as its topic is."""
     node = learner.start('Camera', remap={'__ns': space})
     expect(
         node.name == f'{space}/camera',
@@ -201,7 +202,7 @@ def _start(learner, space):
         'names without a leading slash.',
         'names',
     )
-    return client
+    return node, client
 
 
 def _set_three(some, heard):

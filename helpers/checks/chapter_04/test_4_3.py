@@ -5,6 +5,7 @@ import itertools
 import pytest
 from std_srvs.srv import Trigger
 
+from helpers.checks.chapter_03.apart import OTHER, check_own
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time', namespace='names')]
@@ -92,7 +93,7 @@ def _wait_long(learner, status, parts, number):
 def _texts(draw) -> list[str]:
     """What a part says, one time after the other: whatever it is, it is handed on as it is."""
     many = ' Many  words, \n' + f'{draw.randint(1, 9)} or more, ' * draw.randint(20, 40)
-    first, *others = draw.sample([f'{draw.randint(1, 99)} %', 'no Signal; 3 tries', many], 3)
+    first, *others = draw.sample([f'{draw.randint(1, 99)} %', 'no Signal; 3 °C, für 東', many], 3)
     others.append('')
     draw.shuffle(others)
     return [first, *others]
@@ -172,6 +173,23 @@ def test_two_callers(learner):
     draw.shuffle(delays)
     for pair in delays:
         _look_at_two(learner, clients, parts, pair)
+    check_own_parts(learner, node, clients[0], parts)
+
+
+def check_own_parts(learner, node, client, parts):
+    """A panel asks its own battery and lidar, its `parts`, when another one has been made in another namespace."""
+    answer = {'success': True, 'message': ''}
+    others = [learner.serve(f'{OTHER}/{part}/check', Trigger, answer) for part in ('battery', 'lidar')]
+    learner.start('StatusPanel', beside=node, remap={'__ns': OTHER})
+    learner.settle()
+    for part in parts:
+        part.answer, part.delay = answer, 0.0
+        part.requests.clear()
+    client.send()
+    learner.run(0.5)
+    for part, other, name in zip(parts, others, ('battery/check', 'lidar/check'), strict=True):
+        counts = len(part.requests), len(other.requests)
+        check_own('StatusPanel', 'The first one was asked for its status', *counts, name, 'clients', 'names')
 
 
 def _look_at_two(learner, clients, parts, delays):

@@ -5,6 +5,7 @@ import itertools
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
+from helpers.checks.chapter_03.apart import OTHER, check_own
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open', namespace='names')]
@@ -233,6 +234,7 @@ def test_all_at_once(learner):
         'full',
     )
     check_second_guard(learner, node, lock, enter)
+    check_own_lock(learner, node, lock, enter, leave)
 
 
 def check_default(learner, lock, enter, leave):
@@ -277,3 +279,17 @@ def check_second_guard(learner, node, lock, enter, inside=2):
         'and has a capacity of its own: in attributes of the object (self.inside), not of the class.',
         'full',
     )
+
+
+def check_own_lock(learner, node, lock, enter, leave):
+    """A guard asks the lock of his own room when another one has been made in another namespace."""
+    other = learner.serve(f'{OTHER}/lock', SetBool, {'success': True})
+    learner.start('DoorGuard', beside=node, remap={'__ns': OTHER})
+    learner.settle()
+    leave.send()  # one place is free
+    learner.run(0.3)
+    lock.requests.clear()
+    enter.send()
+    learner.run(lock.delay + 0.5, step=1.0)
+    story = 'Somebody called enter at the first one'
+    check_own('DoorGuard', story, len(lock.requests), len(other.requests), 'lock', 'client', 'names')
