@@ -162,4 +162,6 @@ MUTANTS = [
     Mutant('only_what_is_in_it', old=COMPARED,
            new="assert sorted(round_trip(['dock', 'door', 'lab'])) == ['dock', 'dock', 'door', 'lab']",
            expect='gives the stations in reverse order, and then the first one', breaks='notices'),
+    Mutant('last_character_of_each_line', old=NAMES, new='cycle([line[:-1] for line in file.open()])',
+           expect='who takes away the last character of a line', breaks='announce'),
 ]

@@ -303,12 +303,16 @@ def judge_announce(learner, stations: list[str]) -> None:
         expect(SHARED in installed, f'share/patrol/{DATA} is not installed: name {DATA} in data_files of setup.py.')
     with about('announce'):
         _there(workspace, 'announce')
-        _judge_node(learner, workspace, stations)
+        for end in ('\n', ''):  # many editors leave out the last end of a line
+            _judge_node(learner, workspace, stations, end)
 
 
-def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str]) -> None:
+def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str], end: str) -> None:
+    """The node with these names in the installed file, the last of which is followed by `end`."""
     # Not in the folder of the workspace: a path that begins there leads to the sources.
-    task = workspace.start('bash', '-c', 'cd /tmp && exec ros2 run patrol announce')
+    command = 'printf %s "$1" > "$2" && cd /tmp && exec ros2 run patrol announce'
+    text = '\n'.join(stations) + end
+    task = workspace.start('bash', '-c', command, 'bash', text, f'install/{SHARED}')
     with Observer(learner) as observer:
         names, stamps = [], []
         _until(observer, observer.nodes, task, TIMEOUT)
@@ -377,6 +381,12 @@ def _judge_names(names: list[str], stations: list[str]) -> None:
             any(name.strip() for name in strange),
             'The node publishes an empty name: nothing stands behind the end of the last line, and that is no name. '
             'Use .split() or .splitlines() on the whole text.',
+        )
+        cut = [name for name in strange if name and name == stations[-1][:-1]]
+        expect(
+            not cut,
+            f'The node publishes {cut and cut[0]!r}, and the last line of stations.txt is {stations[-1]!r}, without an '
+            'end of the line behind it: who takes away the last character of a line takes a letter. Use .strip().',
         )
         bare = [name for name in strange if name.strip() in stations]
         expect(
