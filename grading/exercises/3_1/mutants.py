@@ -127,4 +127,6 @@ class Beacon(Node):
             """)), imports='import time', expect='A callback sleeps', breaks='rate', also=('first',)),
     Mutant('publisher_in_the_class', edits=(('self.publisher =', 'Beacon.publisher ='),), breaks='topic',
            expect='what is kept in the class, or outside of it'),
+    Mutant('topic_from_the_name', old="(String, 'beacon', 10)", new='(String, self.get_name(), 10)', breaks='topic',
+           expect='whatever the node is called'),
 ]

@@ -95,7 +95,11 @@ def test_one_out_for_each_in(learner):
     check_topic(learner, 'subscription', '', 'sonar_cm', 'topics')
     check_topic(learner, 'publisher', '', 'sonar', 'topics')
     learner.run(61.0, step=10.0)
-    expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
+    expect(
+        not heard.messages,
+        'Your node published before it had received anything: publish neither in the constructor nor in a timer.',
+        'one-each',
+    )
     sent, slept = burst(learner.random), learner.slept  # a constructor may sleep
     sensor.send(*sent)
     learner.settle()

@@ -4,6 +4,7 @@ import pytest
 
 from helpers.checks.chapter_03 import monitors
 from helpers.checks.chapter_03.monitors import scan
+from helpers.checks.chapter_03.test_3_6 import check_two_at_once
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
@@ -43,6 +44,7 @@ def test_changing_rate(learner):
     expect(
         rates.data == pytest.approx(counts), f'{counts} scans in six seconds gave the reports {rates.data}.', 'report'
     )
+    check_two_at_once(learner, rates, lidar, stamp)
 
 
 @pytest.mark.rules('silent')

@@ -210,4 +210,7 @@ MUTANTS = [
            expect='it must not move the newest stamp back'),
     Mutant('an_hour_back_is_a_new_beginning', old='if gap >= 0 else', new='if gap >= 0 or gap < -3600 else', breaks='old',
            expect='it must not move the newest stamp back'),
+    Mutant('subscription_of_depth_1', old='self.on_scan, sensor)', breaks='report', also=('gap', 'old', 'own-state', 'limit'),
+           new='self.on_scan, QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))',
+           expect='The depth of a subscription says how many messages it keeps'),
 ]

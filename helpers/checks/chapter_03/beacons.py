@@ -114,8 +114,14 @@ def check_own_topic(learner, beacon, heard) -> None:
     """A beacon goes on to speak on its own topic, which is `heard`, when another one is made in another namespace."""
     others = learner.listen(f'{OTHER}/beacon', String)
     with about('own-count'):
-        learner.start('Beacon', beside=beacon, remap={'__ns': OTHER})
+        learner.start('Beacon', beside=beacon, remap={'__ns': OTHER, '__node': 'tower'})
         learner.settle()
+        expect(
+            not learner.endpoints(f'{OTHER}/tower').publishers,
+            'A beacon that was started under another name, tower, publishes on the topic tower. The topic is beacon, '
+            'whatever the node is called: write its name.',
+            'topic',
+        )
         for recorded in (heard, others):
             recorded.clear()
         learner.run(0.6)

@@ -30,7 +30,11 @@ def test_relay(learner):
     slept = learner.slept  # a constructor may
     with about('one-each'):
         learner.run(61.0, step=10.0)
-    expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
+    expect(
+        not heard.messages,
+        'Your node published before it had received anything: publish neither in the constructor nor in a timer.',
+        'one-each',
+    )
     echoes = [
         reading(random, variance=4.0),
         reading(random, max_range=math.inf),

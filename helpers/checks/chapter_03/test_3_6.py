@@ -49,9 +49,18 @@ def test_monitor(learner):
         watched.send(stamp)
     learner.run(1.0, step=1.0)
     check_reports(rates, sent, begin)
+    check_two_at_once(learner, rates, lidar, stamp)
+    sent.append(2)
+    stamp += 0.25
+    watched.newest = stamp
     silent = random.randint(61, 75)  # reports do not end after a minute
     sent += silent * [0]
     learner.run(silent, step=10.0)
+    check_reports(rates, sent, begin)
+    stamp += max_gap + 70.5
+    watched.send(stamp)  # the first one after the silence
+    sent.append(1)
+    learner.run(1.0, step=1.0)
     check_reports(rates, sent, begin)
     watched.end()
     expect(
@@ -127,6 +136,18 @@ def check_reports(rates, sent, begin):
         rates.data == sent,
         f'{sent} scans came in these seconds, and scan_rate says {rates.data}.',
         'report' if rates.data[-1] or sent[-1] else 'silent',
+    )
+
+
+def check_two_at_once(learner, rates, lidar, stamp):
+    """Two scans that come at one moment, before the node can look, count both."""
+    lidar.send(monitors.scan(stamp + 0.125), monitors.scan(stamp + 0.25))
+    learner.run(1.0, step=1.0)
+    expect(
+        rates.data[-1:] != [1.0],
+        'Two scans came at one moment, before your node could look, and scan_rate says 1 for this second, expected 2. '
+        'The depth of a subscription says how many messages it keeps.',
+        'report',
     )
 
 
