@@ -168,4 +168,6 @@ class Bridge(Node):
             """, expect='by itself', breaks='carries', also=('one-way',)),
     Mutant('three_listeners_only', old='for domain, node in nodes.items():', new='for domain, node in list(nodes.items())[:3]:',
            expect='a bridge', breaks='measures'),
+    Mutant('listeners_are_not_spun', old='spin_for(0.02, node)', new='time.sleep(0.02)', breaks='measures', also='in-time',
+           expect='no callback of its own listener was called'),
 ]

@@ -93,9 +93,16 @@ def check_roll_call(learner) -> None:
                 'in-time',
             )
         expect(
-            heard and got,
-            f'A speaker was in domain {ours}, and who_hears({ours}, {asked}) gives {got!r}. '
+            heard,
+            f'A speaker was in domain {ours}, and nobody there heard it; who_hears({ours}, {asked}) gives {got!r}. '
             'Discovery takes time: what is published before it is lost. Publish again and again.',
+            'measures',
+        )
+        expect(
+            got,
+            f'The speaker of who_hears({ours}, {asked}) was heard in domain {ours} by a listener of the tests, and the '
+            f'function gives {got!r}: no callback of its own listener was called. Is each listener spun, again and '
+            'again while the speaker publishes? Its executor must have the same context as its node.',
             'measures',
         )
         expect(

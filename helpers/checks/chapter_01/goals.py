@@ -82,8 +82,8 @@ class Drive:
             expect(
                 sim.distance(x, y) > 0.5,
                 f'{self.way}the turtle drove to ({x:.1f}, {y:.1f}), the goal of a second object of your class, which '
-                'was made later, in another namespace. Keep the goal in self: what stands in the class, or outside of it, '
-                'is the same for all objects.',
+                'was made later, in another namespace. Keep the goal in self: what stands in the class, or outside of '
+                'it, is the same for all objects.',
                 'reach',
             )
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
