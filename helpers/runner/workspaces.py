@@ -65,6 +65,21 @@ class Done:
         return f'in {PurePosixPath(own[-1][0]).name}, line {own[-1][1]}, ' if own else ''
 
 
+def _of_data_files(output: str) -> str:
+    """What is wrong with data_files in setup.py, of which colcon says only AssertionError; '' for another fault."""
+    found = _DATA_FILES.search(output)
+    if not found:
+        return ''
+    if 'isabs' in found[1]:
+        return (
+            'A path of data_files in setup.py begins with a slash. Write it without: share/… is below the installation.'
+        )
+    return (
+        'data_files in setup.py is a list of pairs, of a folder and a list of files, such as '
+        "('share/NAME', ['package.xml'])."
+    )
+
+
 def last_line(output: str) -> str:
     """The last line that tells something, of an exception its first one; '' if nothing was printed."""
     lines = [line.rstrip() for line in output.splitlines() if line.strip(' ^~')]
@@ -143,7 +158,7 @@ class ExerciseWorkspace:
                         'name = package.module:function.'
                     )
                 return f'setup() in setup.py cannot read one of its arguments: {found[1].strip()}'[:400]
-        return reason(build.output)
+        return _of_data_files(build.output) or reason(build.output)
 
     def run(self, *argv: str, timeout: float = RUN_TIMEOUT, program: str = '') -> Done:
         """A command in a new terminal in which the workspace is sourced, if it is built.
@@ -370,6 +385,7 @@ def _constant(answer: str, name: str) -> str | None:
 _CMAKE = re.compile(r'CMake Error(?: at (CMakeLists\.txt):(\d+))?[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
 _NEVER_CALLED = re.compile(r"setup\(\)'? was never called")
 _SETUP = re.compile(r'^error in \S+ setup command: (.+)$', re.MULTILINE)
+_DATA_FILES = re.compile(r'in get_data_files_mapping\n\s*assert ([^\n]*)')
 _RAISED = re.compile(r'[\w.]+(?:Error|Exception): ')
 _FRAME = re.compile(r'File "([^"\n]{1,400}\.py)", line (\d{1,6})')
 _IN_A_STRING = re.compile(r'File "<string>", line (\d+)')

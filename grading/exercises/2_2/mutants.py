@@ -68,4 +68,12 @@ MUTANTS = [
            breaks='rest'),
     Mutant('argument_with_a_typing_error', old="entry_points={'console", new="maintaner='You', entry_points={'console",
            expect='setup() has no argument maintaner', breaks='builds'),
+    Mutant('base_without_a_dollar_sign', old='install_scripts=$base/lib/line_follower',
+           new='install_scripts=base/lib/line_follower', expect='look at install_scripts in setup.cfg', breaks='programs'),
+    Mutant('setup_as_a_module', old="entry_points={'console", new="py_modules=['setup'], entry_points={'console",
+           expect='also installs lib/', breaks='rest'),
+    Mutant('a_text_in_data_files', old="['config/gains.yaml']", new="'config/gains.yaml'", breaks='builds',
+           expect='a list of pairs, of a folder and a list of files'),
+    Mutant('a_folder_with_a_slash', old="'share/line_follower/config'", new="'/share/line_follower/config'", breaks='builds',
+           expect='begins with a slash. Write it without'),
 ]

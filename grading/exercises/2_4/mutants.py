@@ -105,4 +105,7 @@ MUTANTS = [
         print()
         {PRINT}
         """, expect='and 1 empty line', breaks='prints'),
+    Mutant('format_of_whole_numbers', old=':.3f', new=':.3d', expect='.3f for three decimals', breaks='prints'),
+    Mutant('the_program_itself', old='sys.argv[1]', new='sys.argv[0]', expect='sys.argv[0] is the program itself',
+           breaks='argument'),
 ]

@@ -12,8 +12,10 @@ DATA = 'share/line_follower/config/gains.yaml'
 MARKER = 'share/ament_index/resource_index/packages/line_follower'
 PLACES = PROGRAM, DATA, MARKER, 'share/line_follower/package.xml'
 ONCE = 'install the marker, package.xml and the data file, each to one place, and no other file.'
-# Python code, compiled or not (where it goes is the subject of another rule), and what says the name of the package
-_PYTHON = re.compile(r'-packages/(.*\.pyc?$|line_follower-[^/]*-info/)')
+# Its Python code, compiled or not (where it goes is the subject of another rule), and what says the name of the package
+_PYTHON = re.compile(
+    r'-packages/((line_follower|filters)/.*\.pyc?$|(__pycache__/)?(follow|median|__init__)\.[^/]*$|line_follower-[^/]*-info/)'
+)
 # setuptools 72 and later do not know tests_require, which `ros2 pkg create` writes.
 _UNKNOWN_OPTION = re.compile("Unknown distribution option: '(\\w+)'")
 IMPORTED = ('geometry_msgs', 'ament_index_python', 'python3-yaml')
@@ -66,6 +68,13 @@ def judge_place(learner) -> None:
         PROGRAM in there or not elsewhere,
         f'The program is installed as {min(elsewhere, default="")}; `ros2 run` looks for it in lib/line_follower. '
         'It is not in lib/line_follower: look at install_scripts in setup.cfg.',
+        'programs',
+    )
+    found = builds.metadata(builds.line_follower(learner), 'line_follower')
+    expect(
+        elsewhere or not found or 'follow' not in found.programs,
+        'There is an entry point `follow`, and no program `follow` is installed where programs are: look at '
+        'install_scripts in setup.cfg. $base, with the dollar sign, is the folder of the installation.',
         'programs',
     )
     expect(elsewhere, 'No program `follow` is installed: look at entry_points.', 'entry-point')
@@ -259,6 +268,7 @@ def _judge_run(workspace: ExerciseWorkspace, said: str) -> None:
         ("Package 'line_follower' not found", 'builds'),
     ):
         rule = other if word in last else rule
-    if 'No executable found' in done.output and elsewhere:
+    found = builds.metadata(workspace, 'line_follower')
+    if 'No executable found' in done.output and (elsewhere or found and 'follow' in found.programs):
         rule = 'programs'
     expect(done.lines == [said], f'`ros2 run line_follower follow` ended with: {last}; expected: {said}', rule)

@@ -30,11 +30,31 @@ sys.argv.extend(ticks)
 report.main()
 """
 _ARGUMENT = re.compile('argv|IndexError|ValueError|argument')
+_FORMAT = re.compile('format code|format specifier')
+_PROGRAM = re.compile(r"invalid literal for int\(\).*: '[^']*(/report(\.py)?|-c)'")
 
 
 def _distance(ticks: int) -> float:
     """What the given library returns (m)."""
     return 2 * math.pi * 0.033 * ticks / 360
+
+
+def _judge_error(done, command: str, last: str, rule: str) -> None:
+    """The command has not ended with an error, `last`; `rule`: the one that is broken if the error tells no other."""
+    ended = f'{command} ended {done.where}with: {last}'
+    expect(
+        done.status == 0 or not _FORMAT.search(last),
+        f'{ended.rstrip(".")}. What stands behind the colon in the braces is the form of the number: .3f for three '
+        'decimals.',
+        'prints',
+    )
+    expect(
+        done.status == 0 or not _PROGRAM.search(last),
+        f'{ended.rstrip(".")}. sys.argv[0] is the program itself; what stands behind it on the command line begins '
+        'with sys.argv[1].',
+        'argument',
+    )
+    expect(done.status == 0, ended, 'argument' if _ARGUMENT.search(last) else rule)
 
 
 def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
@@ -64,11 +84,7 @@ def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
         f'{command} ended with an error, and the error is your text: main returns it. Use print.',
         'prints',
     )
-    expect(
-        done.status == 0,
-        f'{command} ended {done.where}with: {last}',
-        'argument' if _ARGUMENT.search(last) else 'prints',
-    )
+    _judge_error(done, command, last, 'prints')
     expect(
         len(done.lines) == 1,
         f'{command} printed {len(done.lines)} lines; expected the distance only. The last one is: {last}',
@@ -178,11 +194,7 @@ def judge_library(learner) -> None:
             f'{told}, the program ended with an error, and the error is your text: main returns it. Use print.',
             'prints',
         )
-        expect(
-            done.status == 0,
-            f'The program ended {done.where}with: {last}',
-            'argument' if _ARGUMENT.search(last) else 'library',
-        )
+        _judge_error(done, 'The program', last, 'library')
         expect(len(done.lines) < 2, f'main prints {len(done.lines)} lines; expected the distance only.', 'prints')
         expect(done.lines, 'The function main printed nothing: use print.', 'prints')
         formula = _distance(number)
