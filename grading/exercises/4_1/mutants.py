@@ -52,7 +52,7 @@ MUTANTS = [
     Mutant('absolute_close', breaks='names', old="self.create_subscription(Bool, 'close', self.on_close, 10)",
            new="self.create_subscription(Bool, '/close', self.on_close, 10)", expect='without a leading slash'),
     Mutant('absolute_service', breaks='names', old="'set_gripper')", new="'/set_gripper')",
-           expect='leave out the leading slash'),
+           expect='without a leading slash'),
     Mutant('accepts_late_answers', breaks='late', also='newest', old='if future is self.future:', new='if True:',
            expect='what comes after its timeout is ignored'),
     Mutant('always_closes', breaks='request', also='newest', old='SetBool.Request(data=msg.data)',

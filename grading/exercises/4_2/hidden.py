@@ -221,7 +221,7 @@ def test_namespace(learner):
     eyes = {}
     for eye in ('/left', '/right'):
         node = learner.start('Camera', remap={'__ns': eye})
-        expect(node.name == f'{eye}/camera', f'Your node is called {node.name}, expected {eye}/camera.')
+        expect(node.name == f'{eye}/camera', f'Your node is called {node.name}, expected {eye}/camera.', 'names')
         eyes[eye] = learner.listen(f'{eye}/camera_info', CameraInfo, LATCHED)
     client = learner.client('/right/set_camera_info', SetCameraInfo)
     learner.settle()
@@ -232,5 +232,5 @@ def test_namespace(learner):
     )
     accepted(client, 'names')
     counts = [len(heard) for heard in eyes.values()]
-    expect(counts == [0, 1], f'The right camera was calibrated; left and right published {counts} times.')
+    expect(counts == [0, 1], f'The right camera was calibrated; left and right published {counts} times.', 'names')
     check_own_topic(learner, node, client, eyes['/right'], info())

@@ -149,4 +149,6 @@ MUTANTS = [
                ''', old="response.message = f'battery: {battery.message}; lidar: {lidar.message}'")
         for code, encoding in (('ascii', 'ascii'), ('latin', 'latin-1'))
     ],
+    Mutant('lidar_with_a_typing_error', old="'lidar/check'", new="'lidar/chek'", breaks='names',
+           also=('same-time', 'message', 'success', 'fresh', 'callers', 'one-thread'), expect='letter by letter'),
 ]

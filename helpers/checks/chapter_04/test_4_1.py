@@ -7,6 +7,7 @@ from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
 from helpers.checks.chapter_04.gripping import check_before_commands, check_own_state, check_script
+from helpers.checks.chapter_04.names import check_names
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
@@ -454,12 +455,7 @@ def test_no_server(learner):
         f'In the namespace {space} your node is called {node.name}, expected {space}/gripper_client.',
         'names',
     )
-    expect(
-        learner.endpoints(f'{space}/close').subscriptions and learner.endpoints(f'{space}/gripper_state').publishers,
-        f'In the namespace {space} your node has not both {space}/close and {space}/gripper_state: write the names '
-        'without a leading slash.',
-        'names',
-    )
+    check_names(learner, space, publisher='gripper_state', subscription='close')
     before = learner.slept
     learner.run(begin)
     close.send(Bool(data=True))
@@ -472,11 +468,7 @@ def test_no_server(learner):
             'request has its timeout all the same.',
         )
     server = check_late_server(learner, states, begin, tries, space)
-    expect(
-        f'{space}/set_gripper' in server.theirs(),
-        f'In the namespace {space} your node has no client for {space}/set_gripper: leave out the leading slash.',
-        'names',
-    )
+    check_names(learner, space, server)
     server.stop()
     check_nobody(learner, states, close, tries)
     with about('no-server'):

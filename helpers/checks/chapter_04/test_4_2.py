@@ -9,6 +9,7 @@ from sensor_msgs.srv import SetCameraInfo
 
 from helpers.checks.chapter_03.endpoints import check_lifespan
 from helpers.checks.chapter_04.cameras import HINTS, OTHER_MODELS, check_drawn, check_own_topic, fill_others
+from helpers.checks.chapter_04.names import check_names
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
@@ -193,15 +194,9 @@ def _start(learner, space):
         f'In the namespace {space} your node is called {node.name}, expected {space}/camera.',
         'names',
     )
-    topic, service = f'{space}/camera_info', f'{space}/set_camera_info'
-    client = learner.client(service, SetCameraInfo)
+    client = learner.client(f'{space}/set_camera_info', SetCameraInfo)
     learner.settle()
-    expect(
-        service in client.theirs() and learner.endpoints(topic).publishers,
-        f'In the namespace {space} your node has not both a service {service} and a publisher on {topic}: write the '
-        'names without a leading slash.',
-        'names',
-    )
+    check_names(learner, space, client, publisher='camera_info')
     return node, client
 
 

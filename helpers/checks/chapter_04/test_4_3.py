@@ -6,6 +6,7 @@ import pytest
 from std_srvs.srv import Trigger
 
 from helpers.checks.chapter_03.apart import OTHER, check_own
+from helpers.checks.chapter_04.names import check_names
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time', namespace='names')]
@@ -13,7 +14,7 @@ pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time', 
 WORDS = ('low', 'full', 'warm', 'old', 'new', 'cold', 'dirty')
 
 
-@pytest.mark.rules('same-time', 'success', 'message', 'one-thread', 'fresh')
+@pytest.mark.rules('same-time', 'success', 'message', 'one-thread', 'fresh', 'names')
 @about('message')
 @waiting('one-thread')
 def test_status(learner):
@@ -109,6 +110,13 @@ def _look_at_questions(call, begin, battery, lidar, number, words):
     )
     expect(call.done, f'{words}status was never answered.', 'one-thread')
     for part, server in (('battery', battery), ('lidar', lidar)):
+        others = sorted(set(server.theirs()) - {battery.name, lidar.name})
+        expect(
+            server.name in server.theirs() or not others,
+            f'Your node has a client for {others and others[0]}, and none for {part}/check. Is the name written as on '
+            'the card, letter by letter?',
+            'names',
+        )
         count = len(server.requests)
         expect(
             count == number,
@@ -163,12 +171,7 @@ def test_two_callers(learner):
     parts = [learner.serve(f'{space}/{part}/check', Trigger, None) for part in ('battery', 'lidar')]
     clients = [learner.client(f'{space}/status', Trigger) for _ in range(2)]
     learner.settle()
-    expect(
-        f'{space}/status' in clients[0].theirs() and {part.name for part in parts} <= set(parts[0].theirs()),
-        f'In the namespace {space} your node has not all of {space}/status, {space}/battery/check and '
-        f'{space}/lidar/check: write the names without a leading slash.',
-        'names',
-    )
+    check_names(learner, space, clients[0], *parts)
     delays = [(0.3, 0.2), (0.2, 0.3)]  # each of the parts is the first one to answer
     draw.shuffle(delays)
     for pair in delays:

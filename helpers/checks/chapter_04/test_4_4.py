@@ -6,6 +6,7 @@ import pytest
 from std_srvs.srv import SetBool, Trigger
 
 from helpers.checks.chapter_03.apart import OTHER, check_own
+from helpers.checks.chapter_04.names import check_names
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open', namespace='names')]
@@ -193,12 +194,7 @@ def test_all_at_once(learner):
     lock = learner.serve(f'{space}/lock', SetBool, {'success': True}, delay)
     enter, leave = (learner.client(f'{space}/{name}', Trigger) for name in ('enter', 'leave'))
     learner.settle()
-    expect(
-        all(peer.name in peer.theirs() for peer in (enter, leave, lock)),
-        f'In the namespace {space} your node has not all of the services {space}/enter and {space}/leave and a client '
-        f'for {space}/lock: write the names without a leading slash.',
-        'names',
-    )
+    check_names(learner, space, enter, leave, lock)
     check_default(learner, lock, enter, leave)
     lock.answer = iter([{'success': False}] + [{'success': True}] * visitors)
     calls = [enter.send() for _ in range(visitors)]
