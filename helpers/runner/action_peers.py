@@ -6,6 +6,7 @@ that follows a test's plan, for a client of the learner's.
 
 import time
 import uuid
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from action_msgs.msg import GoalStatus, GoalStatusArray
@@ -50,6 +51,14 @@ class Cancel:
 
 
 @dataclass
+class Again:
+    """What a server answers when it is asked for the result of an ended goal once more."""
+
+    result: object = None
+    status: str | None = None  # succeeded, canceled, aborted; unknown: it keeps the result no longer; None: no answer
+
+
+@dataclass
 class Goal:
     """One goal of the test's client, and what has become of it. Times are simulated seconds."""
 
@@ -68,6 +77,7 @@ class Goal:
     status: str | None = None  # with the result: succeeded, canceled, aborted
     finished: float | None = None  # when the result came
     cancels: list[Cancel] = field(default_factory=list)
+    again: list['Again'] = field(default_factory=list)
 
     @property
     def done(self) -> bool:
@@ -88,6 +98,10 @@ class Goal:
     def cancel(self) -> Cancel:
         """Ask the server to cancel this goal, and return at once; `settle` or `run` brings the answer."""
         return self.client.cancel(self.id, self)
+
+    def ask_again(self) -> Again:
+        """Ask for the result of this goal, which has ended, once more, and return; `settle` brings the answer."""
+        return self.client.ask_again(self)
 
 
 class Client(Named):
@@ -154,11 +168,23 @@ class Client(Named):
         self.learner.unsettled = True
         return cancel
 
+    def ask_again(self, goal: Goal) -> Again:
+        """Ask for the result of an ended goal once more: a server keeps it for some time."""
+        self.learner.connect()
+        again = Again()
+        goal.again.append(again)
+        self._ask_result(goal, lambda future: self._told_again(again, future.result()))
+        self.learner.unsettled = True
+        return again
+
+    def _ask_result(self, goal: Goal, then: Callable) -> None:
+        request = self.action_type.Impl.GetResultService.Request(goal_id=goal.id)
+        self._get_result.call_async(request).add_done_callback(then)
+
     def _answered(self, goal: Goal, response) -> None:
         goal.accepted, goal.answered = response.accepted, self.learner.now / SECOND
         if goal.accepted:
-            request = self.action_type.Impl.GetResultService.Request(goal_id=goal.id)
-            self._get_result.call_async(request).add_done_callback(lambda future: self._finished(goal, future.result()))
+            self._ask_result(goal, lambda future: self._finished(goal, future.result()))
             self._asked = True
 
     def _cancel_answered(self, cancel: Cancel, response) -> None:
@@ -170,6 +196,9 @@ class Client(Named):
     def _finished(self, goal: Goal, response) -> None:
         goal.result, goal.finished = response.result, self.learner.now / SECOND
         goal.status = STATUS.get(response.status, str(response.status))
+
+    def _told_again(self, again: Again, response) -> None:
+        again.result, again.status = response.result, STATUS.get(response.status, str(response.status))
 
     def _on_feedback(self, message) -> None:
         goal = self._by_id.get(bytes(message.goal_id.uuid))
@@ -197,6 +226,7 @@ class Client(Named):
             return []
         late = [(id(goal), 'answer') for goal in self.goals if goal.answered is None]
         late += [(id(cancel), 'cancel') for cancel in self.cancels if not cancel.done]
+        late += [(id(again), 'again') for goal in self.goals for again in goal.again if again.status is None]
         late += [
             (id(goal), 'result')
             for goal in self.goals

@@ -3,7 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback
+from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback, check_own_results
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
@@ -33,6 +33,8 @@ def test_orders(learner):
         'rate',
     )
     goals = [client.send(order=order) for order in (0, 1, 2, draw.randint(3, 6), 3, 2, 4, draw.randint(7, 9))]
+    learner.settle()
+    goals += [client.send(order=draw.randint(3, 6)) for _ in range(draw.randint(6, 7))]
     learner.run(5.0)
     for goal in goals:
         order = goal.request.order
@@ -50,6 +52,7 @@ def test_orders(learner):
             'goals ran at a time.',
             'goals' if order else 'end',
         )
+    check_own_results(learner, goals)
 
 
 @pytest.mark.rules('feedback', 'rate')

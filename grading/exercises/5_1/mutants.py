@@ -146,6 +146,28 @@ goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
                 return GoalResponse.REJECT
             return GoalResponse.ACCEPT if 0 <= request.order <= 47 else GoalResponse.REJECT
             ''')), expect='ran at the same time'),
+    Mutant('one_result_object', breaks='goals', also='partial', edits=(("super().__init__('fibonacci_server')", '''
+            super().__init__('fibonacci_server')
+            self.result = Fibonacci.Result()
+            '''), ('''
+            goal.succeed()
+            return Fibonacci.Result(sequence=numbers)
+            ''', '''
+            self.result.sequence = numbers
+            goal.succeed()
+            return self.result
+            ''')), expect='make a new Result in each execute'),
+    Mutant('ten_at_a_time', breaks='goals', also=('orders', 'rate', 'cancel'), edits=(
+        ("super().__init__('fibonacci_server')", '''
+            super().__init__('fibonacci_server')
+            self.places = threading.Semaphore(10)
+            '''), ('def execute(self, goal):', '''
+            def execute(self, goal):
+                with self.places:
+                    return self.count(goal)
+
+            def count(self, goal):
+            ''')), expect='No goal waits for another one'),
     Mutant('four_at_a_time', breaks='goals', also=('orders', 'rate', 'cancel'), edits=(
         ('return GoalResponse.ACCEPT if 0 <= request.order <= 47 else GoalResponse.REJECT', '''
             self.running = getattr(self, 'running', 0)

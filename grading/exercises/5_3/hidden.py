@@ -3,7 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.checks.chapter_05.counting import check_script, up_to
+from helpers.checks.chapter_05.counting import check_own_results, check_script, up_to
 from helpers.checks.chapter_05.test_5_3 import check_long, check_threads, check_two_servers
 from helpers.runner import about, expect
 
@@ -37,6 +37,7 @@ def test_newest_wins(learner):
     draw.shuffle(cases)
     for case in cases:
         check_replaced(learner, client, *case)
+    check_own_results(learner, client)
 
 
 @pytest.mark.weight(2)

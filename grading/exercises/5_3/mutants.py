@@ -15,6 +15,24 @@ NEWEST = 'test_newest_wins'
 OTHERS = ('newest', 'aborted', 'stops', 'rejected', 'cancel', 'names')
 
 MUTANTS = [
+    Mutant('one_result_object', breaks='aborted', also='newest', edits=(("super().__init__('newest_wins')", '''
+            super().__init__('newest_wins')
+            self.result = Fibonacci.Result()
+            '''), ('''
+            goal.canceled() if goal.is_cancel_requested else goal.abort()
+            return Fibonacci.Result(sequence=numbers)
+            ''', '''
+            goal.canceled() if goal.is_cancel_requested else goal.abort()
+            self.result.sequence = numbers
+            return self.result
+            '''), ('''
+            goal.succeed()
+            return Fibonacci.Result(sequence=numbers)
+            ''', '''
+            goal.succeed()
+            self.result.sequence = numbers
+            return self.result
+            ''')), expect='make a new Result in each execute'),
     Mutant('accepted_and_forgotten', breaks='count', also=(*OTHERS, 'succeeds'), old='''
             self.newest = goal
             goal.execute()

@@ -13,6 +13,7 @@ from helpers.checks.chapter_05.driving import (
     check_newest,
     check_old_pose,
     check_order,
+    check_own_results,
     check_two_drivers,
     longest_pause,
 )
@@ -71,6 +72,7 @@ def test_arrive(learner):
         )
         expect(stands(sim), 'The goal succeeded, but the last command still drives. Publish a Twist of zeros.', 'zeros')
         check_order(sim.commands, goal, 'The goal succeeded: ')
+    check_own_results(learner, client)
 
 
 @pytest.mark.weight(2)

@@ -10,6 +10,12 @@ STANDS = 'test_standing_robot'
 DRIVES = 'test_simulated_robot'
 
 MUTANTS = [
+    Mutant('one_result_object', breaks='result', edits=(
+           ('self.pose, self.busy = None, False', 'self.pose, self.busy, self.left = None, False, DriveTo.Result()'),
+           ('return DriveTo.Result(distance=distance)', '''
+           self.left.distance = distance
+           return self.left
+           ''')), expect='make a new Result in each execute'),
     Mutant('no_cancel_after_10_s', breaks='cancel', also=('zeros', 'result', 'next'),
            old='if goal.is_cancel_requested or distance < 0.1:',
            new='if goal.is_cancel_requested and step <= 100 or distance < 0.1:', expect='A goal was cancelled 1'),

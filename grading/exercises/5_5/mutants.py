@@ -26,6 +26,13 @@ def leave(self, goal):
 '''
 
 MUTANTS = [
+    Mutant('one_result_object', breaks='end', edits=(("super().__init__('printer')", '''
+            super().__init__('printer')
+            self.result = Fibonacci.Result()
+            '''), ('return Fibonacci.Result(sequence=pages)', '''
+            self.result.sequence = pages
+            return self.result
+            ''')), expect='make a new Result in each execute'),
     Mutant('no_cancel_when_late', breaks='cancel', edits=(
            ('cancel_callback=accept)', 'cancel_callback=self.on_cancel)'),
            ('def on_accepted(self, goal):', '''

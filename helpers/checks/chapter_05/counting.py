@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.kept_results import check_kept
 from helpers.runner import expect
 
 STEP = 0.5  # seconds: one number
@@ -106,6 +107,20 @@ def check_script(learner, count: int) -> None:
     _happen(learner, client, story)
     for one in sorted(story.counts, key=lambda one: one.order >= 1):  # first those that had to be rejected
         _judge(story, one, begin)
+
+
+def check_own_results(learner, client) -> None:
+    """Expect that each goal of this client that was aborted has a result of its own: rule `aborted`.
+
+    The last goals were to end with other numbers.
+    """
+    check_kept(
+        learner,
+        [goal for goal in client.goals if goal.status != 'canceled'],
+        lambda goal: f'the goal of order {goal.request.order} ({goal.status})',
+        lambda result: list(result.sequence),
+        'aborted',
+    )
 
 
 def _happen(learner, client, story: Story) -> None:

@@ -5,6 +5,7 @@ from itertools import pairwise
 import pytest
 from turtlesim.msg import Pose
 
+from helpers.checks.chapter_05.kept_results import check_kept
 from helpers.runner import about, expect
 from helpers.runner.action_peers import Goal
 
@@ -59,6 +60,17 @@ def check_cancel(learner, client, goal: Goal, story: str) -> None:
         f'{story}directly after the cancel request, when it still ran, another goal came and was accepted. The robot '
         'is free when the goal has ended, not when somebody has asked for its end.',
         'busy',
+    )
+
+
+def check_own_results(learner, client) -> None:
+    """Expect that each goal of this client that has ended has a result of its own: rule `result`."""
+    check_kept(
+        learner,
+        client.goals,
+        lambda goal: f'the goal ({goal.request.x:.2f}, {goal.request.y:.2f}), {goal.status},',
+        lambda result: f'{result.distance:.3f} m',
+        'result',
     )
 
 

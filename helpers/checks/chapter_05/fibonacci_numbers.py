@@ -1,5 +1,6 @@
-"""The numbers of exercise 5.1, and what the feedback of its longest goal is."""
+"""The numbers of exercise 5.1, what the feedback of its longest goal is, and that each goal has a result of its own."""
 
+from helpers.checks.chapter_05.kept_results import check_kept
 from helpers.runner import expect
 
 SERIES = [0, 1]
@@ -29,4 +30,15 @@ def check_longest_feedback(goal) -> None:
         f'Order 47: number {late} came {took[(late or 1) - 1]} s after the goal, expected after {(late or 1) / 2} s: '
         "one number every 0.5 s of the node's clock.",
         'rate',
+    )
+
+
+def check_own_results(learner, goals) -> None:
+    """Expect that each of these goals, which have ended, has a result of its own: rule `goals`."""
+    check_kept(
+        learner,
+        goals,
+        lambda goal: f'the goal of order {goal.request.order}',
+        lambda result: list(result.sequence),
+        'goals',
     )

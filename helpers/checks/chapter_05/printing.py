@@ -8,6 +8,7 @@ from typing import Any
 
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.kept_results import check_kept
 from helpers.checks.chapter_05.two_goals import send_two
 from helpers.runner import expect
 from helpers.runner.peers import SECOND, Peer
@@ -130,6 +131,14 @@ class Printer:
             self.free, self.before = job.end, job.name
         for job in running:
             self._judge_status(job)
+        names = {id(job.goal): job.name for job in self.jobs}
+        check_kept(
+            self.learner,
+            [job.goal for job in running if job.goal.status == 'succeeded'],
+            lambda goal: f'goal {names[id(goal)]}',
+            lambda result: list(result.sequence),
+            'end',
+        )
 
     def _told(self, job: Job) -> str:
         before = [one for one in self.jobs[: self.jobs.index(job)] if one.goal.accepted]

@@ -3,7 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback
+from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback, check_own_results
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
@@ -85,10 +85,10 @@ def test_numbers(learner):
         goal = client.send(order=other)
         learner.run(other / 2 + 1)
         check_goal(goal, 'goals' if len(numbers(goal)) >= order else '')  # those of the first goal are still there
-    orders = [draw.randint(3, 4), *draw.choices([3, 4, 5], k=4), draw.randint(5, 6)]
-    goals = [client.send(order=order) for order in orders[:4]]
+    orders = [draw.randint(3, 4), *draw.choices([3, 4, 5], k=draw.randint(9, 10)), draw.randint(5, 6)]
+    goals = [client.send(order=order) for order in orders[:5]]
     learner.run(draw.choice([0.3, 0.7]))  # the last ones come while the others count
-    goals += [client.send(order=order) for order in orders[4:]]
+    goals += [client.send(order=order) for order in orders[5:]]
     learner.run(4.0)
     for goal in goals:
         expect(
@@ -100,6 +100,7 @@ def test_numbers(learner):
             'goals',
         )
         check_goal(goal, 'goals')
+    check_own_results(learner, goals)
     bad = [-1, 48, -draw.randint(2, 2**31), draw.randint(49, 2**31 - 1)]
     sent = [client.send(order=order) for order in [*bad, 47]]
     learner.settle()

@@ -3,7 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.checks.chapter_05.counting import check_script, up_to
+from helpers.checks.chapter_05.counting import check_own_results, check_script, up_to
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
@@ -171,6 +171,7 @@ def test_newest_wins(learner):
     goal = client.send(order=2)
     learner.run(1.5)
     check_goal(goal, 'A goal came when nothing ran any more, after one had been aborted. ', 'newest')
+    check_own_results(learner, client)
     several = [client.send(order=2) for _ in range(3)]
     learner.run(2.0)
     ends = [goal.status for goal in several]
@@ -267,7 +268,7 @@ def check_threads(learner) -> None:
         expect(
             (numbers(first), numbers(second)) == ([], [1]),
             f'{words}Their results are {numbers(first)} and {numbers(second)}, expected [] and [1]: keep the numbers '
-            'of a goal in a variable of its execute.',
+            'of a goal in a variable of its execute, and make a new Result there.',
             'newest',
         )
         if places < place:

@@ -13,6 +13,7 @@ from helpers.checks.chapter_05.driving import (
     check_newest,
     check_old_pose,
     check_order,
+    check_own_results,
     check_two_drivers,
     longest_pause,
 )
@@ -95,6 +96,7 @@ def test_standing_robot(learner):
     late = seconds[1] + draw.randint(11, 17)
     _cancel(learner, robot, seconds[0], draw.uniform(0.4, 1.2), draw.uniform(0.0, 0.4), 1)
     _cancel(learner, robot, late, draw.uniform(0.15, 0.3), draw.uniform(10.6, 11.0), -1)
+    check_own_results(learner, robot.client)
     check_two_drivers(learner, robot.node, robot.client, robot.poses, robot.commands)
 
 

@@ -166,6 +166,33 @@ CASES = {
         SWITCHES + "expect(set(lost) == {(hold, 'self.count += 1`') for hold in (False, True)}, str(lost))",
     ),
     **{f'an action server, {name}': Case(SERVER + style, JOURNEY) for name, style in STYLES.items()},
+    'a result is asked for once more: the object that execute returned may say something else by then': Case(
+        SERVER.replace('return Fibonacci.Result(sequence=done)', 'self.kept.sequence = done; return self.kept')
+        + '    kept = Fibonacci.Result()'
+        + STYLES['rate'],
+        START
+        + """
+goal, other = count.send(order=1), count.send(order=2)
+learner.run(1.5)
+first, second = goal.ask_again(), other.ask_again()
+assert first.status is None
+learner.settle()
+assert (first.status, second.status) == ('succeeded', 'succeeded'), (first, second)
+assert list(goal.result.sequence) == [0] and list(first.result.sequence) == [0, 1], (goal, first)
+assert second.result == other.result
+""",
+    ),
+    'a result is asked for once more, and the server keeps none': Case(
+        SERVER.replace('goal_callback', 'result_timeout=1, goal_callback') + STYLES['rate'],
+        START
+        + """
+goal = count.send(order=1)
+learner.run(3.0)
+again = goal.ask_again()
+learner.settle()
+assert (goal.status, again.status) == ('succeeded', 'unknown'), (goal, again)
+""",
+    ),
     'a goal is rejected': Case(
         SERVER + STYLES['rate'],
         START
