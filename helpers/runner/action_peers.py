@@ -85,14 +85,21 @@ class Goal:
         return self.accepted is False or self.finished is not None
 
     @property
+    def answer(self) -> str:
+        """For a message: what the server said when the goal came."""
+        if self.accepted is None:
+            return 'was not answered (does a callback wait, or call the execute callback itself?)'
+        return 'was accepted' if self.accepted else 'was rejected'
+
+    @property
     def ended(self) -> str:
         """For a message: how it has ended."""
         return f'ended as {self.status}' if self.status else 'has not ended'
 
     @property
     def why_aborted(self) -> str:
-        """For the end of a message, where the goal was not to be aborted: how that happens by accident."""
-        said = ' A goal whose execute callback returns without succeed(), canceled() or abort() is aborted.'
+        """For the end of a message, where the goal was not to be aborted: how that happens."""
+        said = ' Either your code has called abort(), or execute has returned without succeed(), canceled() or abort().'
         return said if self.status == 'aborted' else ''
 
     def cancel(self) -> Cancel:

@@ -169,7 +169,18 @@ SENTENCES = (
     ),
     (
         'RCLError',
-        r'.*invalid transition from state (?:SUCCEEDED|ABORTED|CANCELED) with event',
+        r'.*invalid transition from state (?:EXECUTING|CANCELING) with event EXECUTE',
+        'This goal runs already: execute() is called once for each goal.',
+    ),
+    (
+        'RCLError',
+        r'.*invalid transition from state (?:SUCCEEDED|ABORTED|CANCELED) with event EXECUTE',
+        'The goal has ended already: execute() is called once for each goal, before its end. If you give it '
+        'a callback, write its name without parentheses: rclpy calls it.',
+    ),
+    (
+        'RCLError',
+        r'.*invalid transition from state (?:SUCCEEDED|ABORTED|CANCELED) with event (?!EXECUTE)',
         'The goal has ended already, and a goal ends once.',
     ),
     (

@@ -59,7 +59,7 @@ def check_replaced(learner, client, order, count, newer):
     expect(old.accepted, f'The order {order} was rejected.', 'orders')
     new = client.send(order=newer)
     learner.run(0.5)
-    expect(new.accepted, 'A new goal was rejected while another one ran. The newest goal wins.', 'newest')
+    expect(new.accepted, f'A new goal {new.answer} while another one ran. The newest goal wins.', 'newest')
     expect(
         old.done,
         f'A goal of order {newer} was accepted, and the old one, of order {order}, did not end within 0.5 s.',

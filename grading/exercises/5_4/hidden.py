@@ -13,8 +13,11 @@ from helpers.checks.chapter_05.driving import (
     check_newest,
     check_old_pose,
     check_order,
+    check_outside,
     check_own_results,
+    check_time,
     check_two_drivers,
+    check_walls,
     longest_pause,
 )
 from helpers.runner import about, expect
@@ -189,6 +192,9 @@ def test_one_at_a_time(learner):
     first, second = client.send(x=7.0, y=5.5), other.send(x=1.0, y=1.0)
     sim.run(0.5)
     third = other.send(x=2.0, y=9.0)
+    learner.settle()
+    if third.accepted is False:
+        check_outside(learner, other)
     sim.run(5.0, until=lambda: first.done)
     expect(
         [first.accepted, second.accepted, third.accepted] == [True, False, False],
@@ -286,6 +292,9 @@ def test_cancelled_before(learner):
         'give-up',
     )
     check_old_pose(learner, client)
+    check_walls(learner, client, poses)
+    poses.send(Pose(x=8.0, y=2.0))
+    learner.settle()
     commands = learner.listen('/turtle1/cmd_vel', Twist)
     learner.run(0.2)
     for x, seconds in ((9.0, 0.05), (2.0, 0.3)):  # cancelled before the first command; there already
@@ -341,6 +350,7 @@ def test_stuck(learner):
         'zeros',
     )
     check_order(commands, goal, 'The goal was given up: ')
+    check_time(learner, client, poses)
 
 
 @pytest.mark.rules('names', 'no-pose', 'steer', 'next', 'arrive')

@@ -10,6 +10,29 @@ STANDS = 'test_standing_robot'
 DRIVES = 'test_simulated_robot'
 
 MUTANTS = [
+    Mutant('rounds_go_on_after_a_success', breaks='give-up', edits=(
+        ('self.pose, self.busy = None, False', 'self.pose, self.busy, self.rounds = None, False, 0'),
+        ('for step in range(1, 201):', 'for step in range(1 + self.rounds, 201):'), ('''
+        self.motor.publish(Twist())
+        self.busy = False
+        ''', '''
+        self.rounds = step if distance < 0.1 else 0
+        self.motor.publish(Twist())
+        self.busy = False
+        ''')), expect='each goal has 20 s of its own'),
+    Mutant('free_after_a_goal_outside', breaks='busy', old='''
+        if self.busy or self.pose is None or not inside:
+            return GoalResponse.REJECT
+        ''', new='''
+        if not inside:
+            self.busy = False
+            return GoalResponse.REJECT
+        if self.busy or self.pose is None:
+            return GoalResponse.REJECT
+        ''', expect='only the end of the goal that runs sets the robot free'),
+    *[Mutant(f'no_pose_where_{name}_is_0', breaks='no-pose', also=('next', 'arrive'), old='self.pose is None or',
+             new=f'not self.pose or not self.pose.{name} or', expect='A coordinate 0.0 counts as False')
+      for name in 'xy'],
     Mutant('one_result_object', breaks='result', edits=(
            ('self.pose, self.busy = None, False', 'self.pose, self.busy, self.left = None, False, DriveTo.Result()'),
            ('return DriveTo.Result(distance=distance)', '''

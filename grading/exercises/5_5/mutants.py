@@ -26,6 +26,13 @@ def leave(self, goal):
 '''
 
 MUTANTS = [
+    Mutant('executes_every_goal', breaks='queue', old='if alone:', new='if True:',
+           also=('orders', 'pages', 'places', 'cancel', 'cancel-waiting', 'others', 'at-once', 'lock', 'end', 'names'),
+           expect='execute() is called once for each goal'),
+    Mutant('places_in_the_class', breaks='places', edits=(
+           ('self.places, self.goals, self.lock = places, [], threading.Lock()',
+            'Printer.places, self.goals, self.lock = places, [], threading.Lock()'),),
+           expect='Keep the number of places in self'),
     Mutant('one_result_object', breaks='end', edits=(("super().__init__('printer')", '''
             super().__init__('printer')
             self.result = Fibonacci.Result()

@@ -143,7 +143,7 @@ def _judge(story: Story, one: Count, begin: float) -> None:
     if one.order < 1:
         expect(goal.accepted is False, f'{told}was accepted: there is no such number to count to.', 'orders')
         return
-    expect(goal.accepted, f'{told}was not accepted.', 'newest')
+    expect(goal.accepted, f'{told}{goal.answer}, expected accepted.', 'newest')
     stamps = [round(stamp - begin, 3) for stamp in goal.stamps]
     ended = None if goal.finished is None else round(goal.finished - begin, 3)
     numbers = list(goal.result.sequence) if goal.result else None

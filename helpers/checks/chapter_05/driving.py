@@ -63,6 +63,67 @@ def check_cancel(learner, client, goal: Goal, story: str) -> None:
     )
 
 
+def check_outside(learner, client) -> None:
+    """While a goal runs, one outside of the field is rejected, and the robot stays taken: rule `busy`."""
+    x, y = learner.random.choice([(12.0, 5.0), (5.0, -1.0)])
+    client.send(x=x, y=y)
+    learner.settle()
+    goal = client.send(x=5.0, y=5.0)
+    learner.settle()
+    expect(
+        not goal.accepted,
+        f'While a goal ran, one outside of the field came, ({x:g}, {y:g}), and then one for (5, 5), which was '
+        'accepted. A goal that is rejected changes nothing: only the end of the goal that runs sets the robot free.',
+        'busy',
+    )
+
+
+def check_walls(learner, client, poses) -> None:
+    """Where a coordinate of the robot is exactly 0.0 its pose is a pose, too: rule `no-pose`.
+
+    No goal runs, and with the pose so far a goal would have been accepted.
+    """
+    for x, y in ((0.0, learner.random.uniform(1, 9)), (learner.random.uniform(1, 9), 0.0), (0.0, 0.0)):
+        poses.send(Pose(x=x, y=y))
+        learner.settle()
+        goal = client.send(x=5.0, y=5.0)
+        learner.settle()
+        expect(
+            goal.accepted,
+            f'The robot stands at ({x:.4g}, {y:.4g}), at the wall, and a goal {goal.answer}. A coordinate 0.0 counts '
+            'as False: ask "is None", to see whether a pose has come.',
+            'no-pose',
+        )
+        goal.cancel()
+        learner.run(0.3)
+
+
+def check_time(learner, client, poses) -> None:
+    """A goal succeeds after some seconds, and the next one has 20 s all the same: rule `give-up`."""
+    seconds = learner.random.choice([2.0, 3.5, 5.0])
+    poses.send(Pose(x=2.0, y=2.0))
+    learner.settle()
+    goal = client.send(x=9.0, y=2.0)
+    learner.run(seconds)
+    poses.send(Pose(x=9.0, y=2.0))
+    learner.run(0.3)
+    poses.send(Pose(x=2.0, y=2.0))
+    learner.settle()
+    following = client.send(x=9.0, y=2.0)
+    learner.run(19.5, step=0.5)
+    if goal.status != 'succeeded':
+        return  # other tests look at that
+    story = f'A goal {goal.ended} {seconds:g} s after its start. The next one, for a robot that does not move, '
+    expect(following.accepted, f'{story}{following.answer}.', 'next')
+    expect(not following.done, f'{story}{_after(following)}, expected 20 s: each goal has 20 s of its own.', 'give-up')
+    learner.run(1.0)
+    expect(following.status == 'aborted', f'{story}{_after(following)}, expected aborted after 20 s.', 'give-up')
+
+
+def _after(goal: Goal) -> str:
+    return f'{goal.ended} after {goal.finished - goal.sent:.1f} s' if goal.finished else 'has not ended after 20.5 s'
+
+
 def check_own_results(learner, client) -> None:
     """Expect that each goal of this client that has ended has a result of its own: rule `result`."""
     check_kept(
@@ -87,7 +148,7 @@ def check_old_pose(learner, client) -> None:
     learner.settle()
     expect(
         goal.accepted,
-        'A goal that came after one that was given up was rejected. At its end a goal sets back that the robot is '
+        f'A goal that came after one that was given up {goal.answer}. At its end a goal sets back that the robot is '
         'taken; and the newest pose holds, however old it is.',
         'next',
     )
@@ -131,7 +192,7 @@ def check_corners(learner, client) -> None:
         learner.settle()
         expect(
             goal.accepted,
-            f'The goal ({x:g}, {y:g}) was rejected. It is a corner of the field. Do goals before it leave something '
+            f'The goal ({x:g}, {y:g}) {goal.answer}. It is a corner of the field. Do goals before it leave something '
             'behind?',
             'field',
         )

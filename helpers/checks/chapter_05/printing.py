@@ -151,9 +151,8 @@ class Printer:
 
     def _disturbed(self, job: Job, rule: str) -> str:
         """The rule that is broken, if not by another goal's end: `others` after somebody has cancelled."""
-        cancelled = any(
-            one is not job and one.cancel_at <= (job.goal.finished or NEVER) - self.begin for one in self.jobs
-        )
+        end = NEVER if job.goal.finished is None else job.goal.finished - self.begin
+        cancelled = any(one is not job and one.cancel_at < NEVER and one.cancel_at <= end for one in self.jobs)
         return 'others' if cancelled and job.cancel_at == NEVER else rule
 
     def _judge_answer(self, job: Job, accepted: list[Job]) -> None:
@@ -507,38 +506,47 @@ def _words(rush: Rush, stood: str) -> str:
 def check_two_printers(learner) -> None:
     """Two printers of one process, in two namespaces: the goals of one do not wait for those of the other.
 
-    What one printer does is judged by other tests: its goals end here as they do when it is alone.
+    The second one has more places; to the first one comes a goal too many. What one printer does is judged by other
+    tests: its goals end here as they do when it is alone.
     """
-    long, short = learner.random.randint(3, 5), learner.random.randint(1, 2)
+    long, short, places = learner.random.randint(3, 5), learner.random.randint(1, 2), learner.random.randint(2, 4)
     first = learner.action_client('/left/print', Fibonacci)
     node = _printer_in(learner, '/left')
-    alone = _ends(learner, [(first, 0.0, long), (first, 0.1, 1)])
+    jobs = [(first, 0.0, long), (first, 0.1, 1), (first, 0.4, 1)]
+    alone = _ends(learner, jobs)
     node.stop()  # what one object keeps from goal to goal is judged by other tests
     second = learner.action_client('/right/print', Fibonacci)
-    _printer_in(learner, '/right', beside=_printer_in(learner, '/left'))
-    both = _ends(learner, [(first, 0.0, long), (first, 0.1, 1), (second, 0.2, short), (second, 0.3, 1)])
+    _printer_in(learner, '/right', beside=_printer_in(learner, '/left'), places=places)
+    *both, more = _ends(learner, [*jobs[:2], (second, 0.2, short), (second, 0.3, 1), jobs[2]])
     told = (
         f'A printer got goals of the orders {long} at 0 s and 1 at 0.1 s. A second object of your class, in the same '
         f'program and another namespace, got goals of the orders {short} at 0.2 s and 1 at 0.3 s. '
     )
     hint = 'Keep the queue in self, and in no variable of the class or of the module.'
     expect(
-        both[:2] == alone,
-        f'{told}The goals of the first one ended at {_times(both[:2])}, expected at {_times(alone)}, as when it is '
+        more is None or alone[2] is not None,
+        f'Two objects of your class ran in one program: Printer(1), and then Printer({places}), in another namespace. '
+        'The first one accepted a third goal, although one ran and one waited, which it does not do when it is alone. '
+        'Keep the number of places in self, and in no variable of the class or of the module.',
+        'places',
+    )
+    expect(
+        both[:2] == alone[:2],
+        f'{told}The goals of the first one ended at {_times(both[:2])}, expected at {_times(alone[:2])}, as when it is '
         f'alone. {hint}',
         'queue',
     )
     wanted = [round(0.2 + PAGE * order, 6) for order in (short, short + 1)]
     expect(
-        both[2:] == wanted or alone != [PAGE * long, PAGE * (long + 1)],
+        both[2:] == wanted or alone[:2] != [PAGE * long, PAGE * (long + 1)],
         f'{told}The goals of the second one ended at {_times(both[2:])}, expected at {_times(wanted)}. {hint}',
         'queue',
     )
 
 
-def _printer_in(learner, space: str, beside=None):
-    """A printer with one place in this namespace."""
-    return learner.start('Printer', 1, threads=True, beside=beside, remap={'__ns': space})
+def _printer_in(learner, space: str, beside=None, places: int = 1):
+    """A printer with this number of places in this namespace."""
+    return learner.start('Printer', places, threads=True, beside=beside, remap={'__ns': space})
 
 
 def _ends(learner, jobs: list[tuple]) -> list[float | None]:

@@ -16,16 +16,21 @@ def numbers(goal) -> list[int]:
     return list(goal.result.sequence) if goal.result else []
 
 
+def _newest(goal) -> str:
+    """For the end of a message, where the newest goal was not to be aborted."""
+    return ' If it was abort(): was this goal still the newest one?' if goal.status == 'aborted' else ''
+
+
 def check_goal(goal, story='', rule='') -> None:
     """Expect that a goal has counted to its order; `rule`: what is broken, if not the obvious."""
     order = goal.request.order
     words = f'{story}The goal of order {order} '
-    expect(goal.accepted, f'{words}was rejected.', rule or 'orders')
+    expect(goal.accepted, f'{words}{goal.answer}.', rule or 'orders')
     heard = [round(stamp - goal.sent, 3) for stamp in goal.stamps]
     due = [n / 2 for n in up_to(order)]
     expect(
         goal.status in ('succeeded', None) or rule,
-        f'{words}{goal.ended}, expected succeeded.{goal.why_aborted}',
+        f'{words}{goal.ended}, expected succeeded.{goal.why_aborted}{_newest(goal)}',
         'succeeds',
     )
     expect(
@@ -125,7 +130,7 @@ def check_long(learner, client, order) -> None:
 
 def _expect_accepted(goal) -> None:
     order = goal.request.order
-    expect(goal.accepted, f'The goal of order {order} was rejected. Every order from 1 is accepted.', 'orders')
+    expect(goal.accepted, f'The goal of order {order} {goal.answer}. Every order from 1 is accepted.', 'orders')
 
 
 def check_cancel(learner, client, order, count, seconds) -> None:
@@ -311,7 +316,7 @@ def check_replaced(learner, client, order, count, newer) -> None:
     with about('aborted'):  # what the old goal does at its end
         learner.run(0.5)
     words = f'A goal of order {order}, and {begin:.1f} s after it one of order {newer}: '
-    expect(new.accepted, f'{words}the second goal was rejected. The newest goal wins.', 'newest')
+    expect(new.accepted, f'{words}the second goal {new.answer}. The newest goal wins.', 'newest')
     expect(
         old.done or new.feedback,
         f'{words}0.5 s later the first goal goes on, and the second one has not begun: it begins at once.',

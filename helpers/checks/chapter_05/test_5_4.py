@@ -13,8 +13,11 @@ from helpers.checks.chapter_05.driving import (
     check_newest,
     check_old_pose,
     check_order,
+    check_outside,
     check_own_results,
+    check_time,
     check_two_drivers,
+    check_walls,
     longest_pause,
 )
 from helpers.runner import about, expect
@@ -91,12 +94,14 @@ def test_standing_robot(learner):
     _reject_while_busy(learner, robot, command)
     _give_up(learner, robot, goal)
     check_old_pose(learner, robot.client)
+    check_walls(learner, robot.client, robot.poses)
     # Another goal was cancelled 1 s after its start: who does not look in each round is late in one of these.
     seconds = draw.sample([0.75, 1.25], 2)
     late = seconds[1] + draw.randint(11, 17)
     _cancel(learner, robot, seconds[0], draw.uniform(0.4, 1.2), draw.uniform(0.0, 0.4), 1)
     _cancel(learner, robot, late, draw.uniform(0.15, 0.3), draw.uniform(10.6, 11.0), -1)
     check_own_results(learner, robot.client)
+    check_time(learner, robot.client, robot.poses)
     check_two_drivers(learner, robot.node, robot.client, robot.poses, robot.commands)
 
 
@@ -129,7 +134,8 @@ def _take_first_goal(learner, robot):
     learner.settle()
     expect(
         goal.accepted,
-        'The first goal after a goal that was rejected was rejected, too: what did that one leave behind?',
+        f'A goal was rejected because no pose had come. Then a pose came, and another goal, which {goal.answer}, too. '
+        'Does your node keep the pose, in an attribute of self? And did the rejected goal leave something behind?',
         'next',
     )
     expect(
@@ -157,7 +163,7 @@ def _begin_again(learner, robot, goal):
     learner.settle()
     expect(
         goal.accepted,
-        'A goal that came after a cancelled one was rejected. At its end a goal sets back that the robot is '
+        f'A goal that came after a cancelled one {goal.answer}. At its end a goal sets back that the robot is '
         'taken; the newest pose stays, whatever goals come.',
         'next',
     )
@@ -187,6 +193,8 @@ def _reject_while_busy(learner, robot, wanted):
     third = robot.client.send(x=2.0, y=8.0)
     learner.run(0.5)
     expect(third.accepted is False, 'A goal was accepted while another one ran.', 'busy')
+    check_outside(learner, robot.client)
+    learner.run(0.5)
     expect(
         robot.said() == pytest.approx(wanted, abs=0.01),
         f'While a goal ran, another one was rejected, and since then the command is {robot.said()}, expected {wanted} '
@@ -197,7 +205,7 @@ def _reject_while_busy(learner, robot, wanted):
 
 def _give_up(learner, robot, goal):
     """The goal runs with feedback, and is aborted 20 s after its start."""
-    learner.run(9.0)
+    learner.run(8.5)
     y = learner.random.choice([0.5, 3.5, 4.5])
     left = math.hypot(7.0, y - 2.0)
     robot.stand(2.0, y, math.pi / 2)  # from now on it has to turn first
@@ -257,7 +265,7 @@ def _cancel(learner, robot, seconds, distance, x, way):
     robot.stand(x, 5.0, yaw)
     goal = robot.client.send(x=x + way * distance, y=5.0)
     learner.run(seconds)
-    expect(goal.accepted, 'A goal that came after one that was given up was rejected.', 'next')
+    expect(goal.accepted, f'A goal that came after one that was given up {goal.answer}.', 'next')
     _check_pause(learner, goal, 'also near the place')
     expect(
         robot.said() == pytest.approx((1.5 * distance, 0.0), abs=0.01),
@@ -271,7 +279,7 @@ def _cancel(learner, robot, seconds, distance, x, way):
     outside, inside = learner.random.uniform(0.102, 0.106), learner.random.uniform(0.095, 0.098)
     goal = robot.client.send(x=x + way * outside * math.sqrt(0.5), y=5.0 + outside * math.sqrt(0.5))
     learner.run(0.5)
-    expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
+    expect(goal.accepted, f'A goal that came after a cancelled one {goal.answer}.', 'next')
     expect(
         not goal.done,
         f'A goal {outside:.3f} m away (the same way in x and in y) {goal.ended}, expected to go on until '
@@ -291,7 +299,7 @@ def _cancel(learner, robot, seconds, distance, x, way):
     goal = robot.client.send(x=x, y=5.03)
     learner.run(0.3)
     story = 'A goal came for a place where the robot stands already, 0.03 m away: '
-    expect(goal.accepted, f'{story}it was rejected. It arrives in its first round.', 'arrive')
+    expect(goal.accepted, f'{story}it {goal.answer}. It arrives in its first round.', 'arrive')
     expect(goal.status == 'succeeded', f'{story}0.3 s later it is {goal.status or "still running"}.', 'arrive')
     learner.run(0.5)
     expect(robot.commands, f'{story}no zeros were published. They come before every end, also then.', 'zeros')
@@ -322,7 +330,7 @@ def test_simulated_robot(learner):
     words = f'From ({sim.turtle.x:.1f}, {sim.turtle.y:.1f}) to ({x:.1f}, {y:.1f}): '
     goal = client.send(x=x, y=y)
     sim.run(5.0, until=lambda: goal.done)
-    expect(goal.accepted, f'{words}the goal was rejected, after some that were outside of the field.', 'next')
+    expect(goal.accepted, f'{words}the goal {goal.answer}, after some that were outside of the field.', 'next')
     expect(
         goal.status == 'succeeded',
         f'{words}the goal is {goal.status or "still running"} after 5 s, expected succeeded.{goal.why_aborted}',
