@@ -176,6 +176,7 @@ def watch(seen: Watch) -> None:
     rcutils_logger.RcutilsLogger.log = _timed(rcutils_logger.RcutilsLogger.log, seen)  # type: ignore[method-assign]
     rcutils_logger._internal_callers.append(os.path.realpath(__file__))  # a line's caller is the learner's cell
     Future.result = _asked_early(Future.result, seen)  # type: ignore[method-assign]  # put around it on purpose
+    Future.add_done_callback = _with_function(Future.add_done_callback)  # type: ignore[method-assign]
     time.sleep = _counted(time.sleep, seen)
     for name, unit in (
         ('time', 1.0),
@@ -252,6 +253,23 @@ def _no_wait(function, name: str, seen: Watch, unless: Callable[[], bool] = lamb
                 seen.sleeps(frame, clock() - begin)
 
     return refusing
+
+
+def _with_function(add_done_callback):
+    """`Future.add_done_callback`, which raises TypeError at once for what cannot be called; rclpy only later."""
+
+    @functools.wraps(add_done_callback)
+    def checked(self, callback):
+        if callback is None:
+            raise TypeError(
+                'the callback given to add_done_callback(…) is None, not a function: give the function itself, as in '
+                'add_done_callback(lambda future: …), which is called later'
+            )
+        if not callable(callback):
+            raise TypeError(_no_function('add_done_callback(…)', callback))
+        return add_done_callback(self, callback)
+
+    return checked
 
 
 def _asked_early(result, seen: Watch):

@@ -45,6 +45,8 @@ MUTANTS = [
         iyy = mass / 12 * width**2
         izz = mass / 12 * height**2
         ''', expect='The side along an axis does not count for it'),
+    Mutant('product_for_a_sum', breaks='inertia', old='izz = mass / 12 * (length**2 + width**2)',
+           new='izz = mass / 12 * (length**2 * width**2)', expect='together less than the third'),
     Mutant('inertia_of_the_example', breaks='inertia', old='{ixx}" iyy="{iyy}" izz="{izz}',
            new='0.065" iyy="0.1" izz="0.125', expect='the inertia about x, y and z is'),
     Mutant('length_and_width_exchanged', breaks='inertia', old='{ixx}" iyy="{iyy}"', new='{iyy}" iyy="{ixx}"',

@@ -8,6 +8,9 @@ MIDDLE = "length, width, height, middle = 0.24, separation - 0.06, 0.06, '-0.06 
 SIDES = "(('left', separation / 2), ('right', -separation / 2))"
 
 MUTANTS = [
+    Mutant('body_hides_a_low_mast', breaks='scan', also=('stands', 'drive', 'odometry', 'arrives'), old=MIDDLE,
+           new="length, width, height = 0.24, separation - 0.06, 0.285 - radius\nmiddle = f'-0.06 0 {0.1325 - radius / 2}'",
+           expect='it is the robot'),
     Mutant('no_xml', breaks='urdf', also=('drive', 'tree', 'wheels', 'stands'), old='</plugin></gazebo></robot>',
            new='</plugin></gazebo>', expect='cannot be used'),
     Mutant('two_parents', breaks='urdf', also=('tree', 'wheels', 'stands'), old="'<link name=\"laser\"/>',", new="""
@@ -51,6 +54,8 @@ MUTANTS = [
            new='disc = f\'<cylinder radius="0.05" length="0.02"/>\'', expect='expected 0.0'),
     Mutant('upright_cylinders', breaks='wheels', also=(*RIDE, 'floor', 'inertia'),
            old="'<origin rpy=\"1.5708 0 0\"/>'))", new="''))", expect='a cylinder stands upright until'),
+    Mutant('rpy_in_degrees', breaks='wheels', also=(*RIDE, 'floor', 'inertia'),
+           old="'<origin rpy=\"1.5708 0 0\"/>'))", new="'<origin rpy=\"90 0 0\"/>'))", expect='in radians; here it has 90, 0, 0'),
     Mutant('wide_wheels', breaks='wheels', also=RIDE, old=DISC,
            new='disc = f\'<cylinder radius="{radius}" length="0.05"/>\'', expect='is 0.05 m wide'),
     Mutant('ball_wheels', breaks='wheels', also=('inertia',), old=DISC,

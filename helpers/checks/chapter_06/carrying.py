@@ -7,7 +7,7 @@ import numpy as np
 from geometry_msgs.msg import PointStamped
 from rclpy.time import Time
 
-from helpers.checks.chapter_06.geometry import explain, origin, same, words
+from helpers.checks.chapter_06.geometry import apart, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
@@ -123,18 +123,20 @@ class Scene:
         expect(
             found is not None,
             f'{call} gave None. tf2 knows the cup for {then:g} s and the robot for '
-            f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a '
-            'look-up. Is the time that of the clock of the node? And is there one buffer, with one listener, for the '
-            'life of the node?',
+            f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a look-up, and the time '
+            'of the cup is in the past: the clock of the node, less the seconds. Does every way through the function '
+            'return the point? Are the names of the frames those of the card? And is there one buffer, with one '
+            'listener, for the life of the node?',
             'robot-now',
         )
         expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.', 'point')
         place = (found.point.x, found.point.y, found.point.z)
         expected = origin(np.linalg.inv(self.robot(self.newest)) @ self.cup(then))
+        is_at, wanted = apart(place, expected)
         wrong = [(rule, reason) for other, rule, reason in self._others(now, seconds) if same(place, other, 1e-3)]
         explain(
             same(place, expected, 1e-3),
-            f'{call} gave {words(place)}, expected {words(expected)}.'
+            f'{call} gave {is_at}, expected {wanted}.'
             + ('' if wrong else ' Is the time that of the clock of the node?'),
             *[(True, reason) for _, reason in wrong],
             rule=(*[rule for rule, _ in wrong], 'then')[0],
@@ -160,6 +162,12 @@ class Scene:
         there = self.cup(then)
         places = [
             (before @ there, 'robot-now', 'This is seen from the robot as it stood then. It has moved on.'),
+            (
+                before @ self.cup(both),
+                'then',
+                'This is where the cup was just now, seen from the robot as it stood then: the two times are '
+                'exchanged.',
+            ),
             (robot @ self.cup(both), 'then', 'This is where the cup was just now.'),
             (earlier @ self.cup(both), 'then', 'This is where the cup was just now.'),
             (

@@ -133,5 +133,10 @@ class Crate:
                 'The side along an axis does not count for it: take the two others.',
             ),
             (is_about([1.0, 1.0, 1.0]), '1 kg m² is the inertia of a large table.'),
+            (
+                is_about([inertia[0, 0]] * 3),
+                'These are three equal numbers. If there are others in the text, two of them are together less than '
+                'the third, which no body has, and the simulator takes their mean: look at each of the three formulas.',
+            ),
             rule='inertia',
         )

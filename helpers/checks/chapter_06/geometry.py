@@ -7,9 +7,17 @@ import numpy as np
 from helpers.runner import expect
 
 
-def words(vector) -> str:
-    """A point or direction as text: (0.89, 0, 0.86)."""
-    return '(' + ', '.join(f'{round(float(value), 2) + 0.0:g}' for value in vector[:3]) + ')'
+def words(vector, digits: int = 2) -> str:
+    """A point or direction as text, with so many digits after the point: (0.89, 0, 0.86)."""
+    return '(' + ', '.join(f'{round(float(value), digits) + 0.0:.9g}' for value in vector[:3]) + ')'
+
+
+def apart(one, other) -> tuple[str, str]:
+    """Two points or directions as texts, with more digits if they would look alike."""
+    for digits in (2, 3, 4):
+        if words(one, digits) != words(other, digits):
+            return words(one, digits), words(other, digits)
+    return words(one, 6), words(other, 6)
 
 
 def same(one, other, tolerance: float = 1e-4) -> bool:

@@ -5,7 +5,7 @@ from difflib import get_close_matches
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
+from helpers.checks.chapter_06.geometry import apart, axis, check_rotation, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import Listener, pose, to_matrix
 from helpers.runner.started_nodes import StartedNodes
@@ -130,9 +130,10 @@ def judge_places(mast: Mast) -> None:
         for child, expected in truth(mast.height, mast.tilt).items():
             transform = mast.late.static_transforms[child]
             place = origin(to_matrix(transform))
+            is_at, wanted = apart(place, origin(expected))
             expect(
                 same(place, origin(expected)),
-                f'{mast.called}: `{child}` is at {words(place)} in its parent, expected {words(origin(expected))}.',
+                f'{mast.called}: `{child}` is at {is_at} in its parent, expected {wanted}.',
             )
             check_rotation(transform, NOT_TURNED)
         turn = to_matrix(mast.late.static_transforms['mast'])[:3, :3]
@@ -143,9 +144,10 @@ def judge_camera(mast: Mast) -> None:
     """The rule `tilt`."""
     view, tilt, angle = axis(mast.in_base('camera'), 'x'), mast.tilt, math.radians(mast.tilt)
     expected = math.cos(angle), 0, -math.sin(angle)
+    looks, wanted = apart(view, expected)
     explain(
         same(view, expected),
-        f'{mast.called}: the camera looks along {words(view)} in base_link, expected {words(expected)}.',
+        f'{mast.called}: the camera looks along {looks} in base_link, expected {wanted}.',
         (
             same(view, (math.cos(angle), 0, math.sin(angle))),
             'That is up. Positive angles turn from z to x: a positive pitch looks down.',
@@ -190,9 +192,10 @@ def judge_numbers(learner) -> None:
         told = f'SensorMast({height}, {tilt}), made in a program that has others, too: '
         for child, expected in truth(height, tilt).items():
             found = to_matrix(live.static_transforms[child])
+            is_at, wanted = apart(origin(found), origin(expected))
             expect(
                 same(origin(found), origin(expected)),
-                f'{told}`{child}` is at {words(origin(found))} in its parent, expected {words(origin(expected))}.',
+                f'{told}`{child}` is at {is_at} in its parent, expected {wanted}.',
                 'places',
             )
             expect(

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
+from helpers.checks.chapter_06.geometry import apart, axis, check_rotation, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import to_matrix
 from helpers.runner.peers import SECOND
@@ -38,7 +38,11 @@ class Watched:
         )
         if rounds:
             self._lose_calls(learner)
-        expect(heard.transforms, 'No transform came on /tf.', 'frames')
+        expect(
+            heard.transforms,
+            f'No transform came on /tf within {seconds:g} s. A timer sends it, and its period is in seconds.',
+            'frames',
+        )
         for transform in heard.transforms:
             names = transform.header.frame_id, transform.child_frame_id
             expect(
@@ -138,7 +142,8 @@ def judge_circle(moon: Watched) -> None:
     start = moon.pairs[0][0]
     for number, (time, transform) in enumerate(moon.pairs):
         angle, there = moon.angle(time), origin(to_matrix(transform))
-        told = f'{moon.called}: at time {time:.13g} s the moon is at {words(there)}'
+        is_at, wanted = apart(there, moon.place(angle))
+        told = f'{moon.called}: at time {time:.13g} s the moon is at {is_at}'
         expect(
             same(math.hypot(*there[:2]), moon.radius, 1e-3) and same(there[2], 0.0),
             f'{told}, expected {moon.radius:g} m from the planet, in the x-y plane.',
@@ -148,7 +153,7 @@ def judge_circle(moon: Watched) -> None:
         late = any(same(there, moon.place(moon.angle(time - start + delay)), 1e-3) for delay in (0.0, STEP))
         explain(
             same(there, moon.place(angle), 1e-3),
-            f'{told}, expected {words(moon.place(angle))}.',
+            f'{told}, expected {wanted}.',
             (
                 same(there, moon.place(moon.angle(start + number * STEP)), 1e-3),
                 f'This is the place for {start + number * STEP:.13g} s: 0.05 s more for each call of the timer. The '

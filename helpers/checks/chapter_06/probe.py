@@ -1,8 +1,8 @@
 """Looks at the robot of a URDF: `python probe.py FILE.urdf TASK JSON`, results as JSON on standard output.
 
 Tests run it on the learner's side (see `scouts.py`): a text of the learner's is not parsed on the tests' side. Tasks
-are `frames`, `bodies` and `ride`; JSON is what a test has drawn. `refused` is there alone if the URDF cannot be used.
-Lengths are in metres, angles in radians, masses in kilograms.
+are `frames`, `bodies`, `scan` and `ride`; JSON is what a test has drawn. `refused` is there alone if the URDF cannot be
+used. Lengths are in metres, angles in radians, masses in kilograms.
 """
 
 import json
@@ -122,8 +122,30 @@ def _shape(shape, link_in_root: np.ndarray) -> dict:
         'kind': kind,
         'sizes': list(sizes),
         'place': shape.origin.matrix.tolist(),
+        'rpy': list(shape.origin.rpy),
         'bottom': float(place[2, 3] - reach),
     }
+
+
+def scan(text: str, given: dict) -> dict:
+    """What the laser is, and what it sees in the rooms; `lidar` is None if there is none."""
+    from mujoco_world.world import World
+
+    world = World(text, scene='rooms')
+    lidar = world.robot.lidar
+    if lidar is None:
+        return {'lidar': None}
+    ranges = world.scan()
+    found = {
+        'link': lidar.link,
+        'type': _sensor_type(text),
+        'samples': lidar.samples,
+        'angles': [lidar.min_angle, lidar.max_angle],
+        'range': lidar.max_range,
+        'hits': int(np.isfinite(ranges).sum()),
+        'nearest': float(np.nan_to_num(ranges, posinf=1e9, neginf=-1.0).min()),
+    }
+    return {'lidar': found}
 
 
 def ride(text: str, given: dict) -> dict:
@@ -131,21 +153,11 @@ def ride(text: str, given: dict) -> dict:
     from mujoco_world.world import World
 
     world = World(text, scene='empty')
-    found: dict = {'drive': world.robot.drive is not None, 'library': _library(text), 'lidar': None}
+    found: dict = {'drive': world.robot.drive is not None, 'library': _library(text)}
     world.run(1.0)
     pose = world.pose
     found['stands'] = [pose.z, math.degrees(pose.roll), math.degrees(pose.pitch)]
-    if lidar := world.robot.lidar:
-        ranges = World(text, scene='rooms').scan()
-        found['lidar'] = {
-            'link': lidar.link,
-            'type': _sensor_type(text),
-            'samples': lidar.samples,
-            'angles': [lidar.min_angle, lidar.max_angle],
-            'range': lidar.max_range,
-            'hits': int(np.isfinite(ranges).sum()),
-            'nearest': float(np.nan_to_num(ranges, posinf=1e9, neginf=-1.0).min()),
-        }
+    found |= scan(text, given)
     if not found['drive'] or pose.z < -0.1:  # nothing drives, or it falls
         return found
     found['motions'] = [_motion(text, *command) for command in ((0.3, 0.0), (0.0, 1.0))]
@@ -224,7 +236,7 @@ def main() -> dict:
             'refused': f'<{tag}> sets the physics of the whole world. A URDF describes the robot only: leave it out.'
         }
     try:
-        return {'frames': frames, 'bodies': bodies, 'ride': ride}[sys.argv[2]](text, given)
+        return {'frames': frames, 'bodies': bodies, 'scan': scan, 'ride': ride}[sys.argv[2]](text, given)
     except (UrdfError, UnstableError) as error:
         return {'refused': str(error)}
 

@@ -8,7 +8,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import LaserScan, PointCloud2
 from sensor_msgs_py.point_cloud2 import read_points_list
 
-from helpers.checks.chapter_06.geometry import explain, same, words
+from helpers.checks.chapter_06.geometry import apart, explain, same, words
 from helpers.runner import expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
@@ -133,9 +133,10 @@ class Laser:
         wanted = moved(hits, there)
         odd = [number for number in range(len(hits)) if not same(found[number], wanted[number], 1e-3)]
         number = (*odd, 0)[0]
+        is_at, must = apart(found[number], wanted[number])
         told = (
-            f'Hit {number + 1} of the scan, {words(hits[number])} in `{frame}`, is at {words(found[number])} in the '
-            f'cloud, expected {words(wanted[number])}.'
+            f'Hit {number + 1} of the scan, {words(hits[number])} in `{frame}`, is at {is_at} in the cloud, expected '
+            f'{must}.'
         )
         mixed = same(sorted(found.tolist()), sorted(wanted.tolist()), 1e-3) and not same(found, wanted, 1e-3)
         expect(

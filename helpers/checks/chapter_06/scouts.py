@@ -30,24 +30,27 @@ CLEAR = 0.01  # m, between the floor and what must not touch it
 REFUSED = {'drive': 'drive', '<plugin>': 'drive', 'lidar': 'scan', 'unstable': 'stands', 'has fallen': 'stands'}
 
 
-def drawn(random: Random, size: str = '') -> tuple[float, float, float]:
+def drawn(random: Random, size: str = '', low: bool = False) -> tuple[float, float, float]:
     """Radius of the wheels, separation, height of the mast, in metres: far from those of other robots.
 
     :param size: of SIZES; otherwise any.
+    :param low: whether the mast is one of the lowest.
     """
     if size:
         radius, separation = (random.uniform(*limits) for limits in SIZES[size])
     else:
         radius = random.choice([random.uniform(0.04, 0.045), random.uniform(0.055, 0.065), random.uniform(0.09, 0.1)])
         separation = random.choice([random.uniform(0.2, 0.31), random.uniform(0.38, 0.4)])
-    return round(radius, 3), round(separation, 3), round(random.uniform(0.25, 0.5), 2)
+    mast = round(random.uniform(0.25, 0.252), 4) if low else round(random.uniform(0.25, 0.5), 2)
+    return round(radius, 3), round(separation, 3), mast
 
 
 class Scout:
     """The learner's robot with these sizes (metres), and what `probe.py` has found in one of its tasks."""
 
-    def __init__(self, learner, task: str, size: str = '', **given):
-        self.radius, self.separation, self.mast = sizes = drawn(learner.random, size)
+    def __init__(self, learner, task: str, size: str = '', low: bool = False, **given):
+        """:param low: whether its mast is one of the lowest."""
+        self.radius, self.separation, self.mast = sizes = drawn(learner.random, size, low)
         self.name = f'scout({", ".join(map(str, sizes))})'
         text = learner.call('scout', *sizes)
         expect(isinstance(text, str), f'{self.name} gave {text}, expected the text of a URDF.', 'urdf')
@@ -182,7 +185,7 @@ class Scout:
             expect(
                 abs(abs(along[1]) - 1) < 1e-3,
                 f'{self.name}: the <collision> of `{wheel}` lies along {words(along)}, expected along y: a cylinder '
-                'stands upright until its <origin> has an rpy.',
+                f'stands upright until its <origin> has an rpy{_in_degrees(shape["rpy"])}.',
                 'wheels',
             )
             expect(
@@ -345,7 +348,7 @@ class Scout:
         expect(
             lidar['nearest'] > 0.5,
             f'{self.name}: the laser sees something {max(0.0, lidar["nearest"]):.2f} m away. No wall is so near: '
-            'it is the robot.',
+            f'it is the robot.{" It must be lower than a mast of 0.25 m, too." * (self.mast < 0.26)}',
             'scan',
         )
         expect(lidar['hits'] > 0.9 * lidar['samples'], f'{self.name}: the laser does not see the walls.', 'scan')
@@ -435,6 +438,7 @@ def judge_ride(learner) -> None:
     scout = Scout(learner, 'ride', **given)
     scout.check_stands()
     scout.check_scan()
+    Scout(learner, 'scan', low=True).check_scan()  # its body may be too high for a low mast
     scout.check_drive()
     scout.check_odometry()
     scout.check_arrival(station)
@@ -471,6 +475,11 @@ def _solid(kind: str, sizes, mass: float) -> np.ndarray | None:
 def _fine(place) -> str:
     """A place in metres, to the millimetre."""
     return '(' + ', '.join(f'{round(float(value), 3) + 0.0:g}' for value in place) + ')'
+
+
+def _in_degrees(rpy: list[float]) -> str:
+    """For a message, if angles are so large that they must be degrees."""
+    return f', in radians; here it has {", ".join(f"{angle:g}" for angle in rpy)}' if max(map(abs, rpy)) > 7 else ''
 
 
 def _numbers(values) -> str:

@@ -141,7 +141,8 @@ def _check_place(there, before):
         not zeros(command),
         f'{told}: it stands. The transforms are 0.1 s old. For the time now() there is never '
         'a transform yet, and for an earlier time there may be none: ask for the newest, by the names that Follower '
-        'got. Its age is from the clock of the node, and from the whole stamp, with its nanoseconds.',
+        'got. Its age is the time of the clock of the node minus the whole stamp, with its nanoseconds, and '
+        'a small age is good.',
         'newest',
     )
     expect(

@@ -100,6 +100,10 @@ def test_call(learner):
     [
         ('self.create_timer(0.25, self.tick())', 'the callback given to create_timer(…) is None, not a function'),
         (
+            'from rclpy.task import Future; Future().add_done_callback(self.tick())',
+            'the callback given to add_done_callback(…) is None, not a function: give the function itself',
+        ),
+        (
             "self.create_subscription(String, 'a', self.tick(), 10)",
             'the callback given to create_subscription(…) is None',
         ),
