@@ -34,7 +34,7 @@ def diagnose_graph(endpoints):
     for role, sender, row in (('client', 'server', 'A7.8'), ('subscription', 'publisher', 'A7.6')):
         senders = [end for end in endpoints if end['role'] == sender]
         for end in [end for end in endpoints if end['role'] == role]:
-            number = 'A7.10' if end['name'] == '/robot_description' else row
+            number = 'A7.10' if (role, end['name']) == ('subscription', '/robot_description') else row
             found += [(number, end['node'] + ' ' + end['name'], *one) for one in why(end, senders).items()]
     return [Finding(*one) for one in found]
 

@@ -31,11 +31,7 @@ def test_read_topics(learner):
     endpoints += graphs.publishers_beside(next(end for end in endpoints if end['role'] == 'subscription'), '/house')
     endpoints += graphs.like_usual_ones('/house/watch', strange)
     secret = {**endpoints[0], 'node': '/_secret', 'role': 'subscription'}
-    with graphs.System(learner.context.get_domain_id()) as system, about('read'):
-        for endpoint in [secret, *endpoints]:
-            system.add(endpoint)
-        seen = learner.call('endpoints_here', len(endpoints), 5.0)
-    graphs.check_read(seen, endpoints)
+    graphs.read(learner, endpoints, secret)
 
 
 @pytest.mark.rules('fits')

@@ -26,6 +26,7 @@ REQUESTS = ('std_srvs/srv/Trigger', 'std_srvs/srv/Empty', 'std_srvs/srv/SetBool'
 STRONG = {'reliability': 'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}
 WEAK = {'reliability': 'BEST_EFFORT', 'durability': 'VOLATILE'}
 DESCRIPTION = '/robot_description'
+ROLES = ('publisher', 'subscription')  # of topics
 CAUSES = ('name', 'nobody', 'type', 'reliability', 'durability')
 WHY = {
     'name': 'A name that nobody sends on, and one of the same type that is nearly the same: `nearest` finds it.',
@@ -128,13 +129,13 @@ def diagnose(learner, *faults: str, rule: str = '') -> None:
 
 
 def _of_one_that_offers(endpoints: list[dict]):
-    """For `compare`: why a finding about a publisher or a server is none."""
+    """For `compare`: why a finding about a publisher or a server is none, and the rule that says so."""
 
-    def why(finding) -> str:
+    def why(finding) -> tuple[str, str]:
         node, _, name = finding[1].partition(' ')
         roles = {end['role'] for end in endpoints if (end['node'], end['name']) == (node, name)}
         offers = len(roles) == 1 and roles <= {'publisher', 'server'}
-        return f'{node} is a {roles.pop()} there: one that nobody uses is no finding.' if offers else ''
+        return (f'{node} is a {roles.pop()} there: one that nobody uses is no finding.', 'fits') if offers else ('', '')
 
     return why
 
@@ -171,7 +172,10 @@ def same_name(learner) -> None:
 
 
 def other_description(learner) -> None:
-    """A topic of which only the end of the name is robot_description is one as others; fails with words if not."""
+    """A topic whose name only begins or ends with robot_description is one as others, and so is a service of that name.
+
+    Fails with words if diagnose_graph says `no_model`.
+    """
     space, kind = learner.random.choice(ROOMS), learner.random.choice(MESSAGES)
     for name in (f'/{space}{DESCRIPTION}', f'{DESCRIPTION}_{space}'):
         compare(
@@ -182,6 +186,14 @@ def other_description(learner) -> None:
             {'nobody': f'The fault `no_model` is only for the name {DESCRIPTION}.'},
             'fault',
         )
+    client = {'role': 'client', 'node': '/receiver', 'name': DESCRIPTION, 'type': REQUESTS[0]}
+    compare(
+        learner.call('diagnose_graph', [{**client, 'reliability': '', 'durability': ''}]),
+        [('waiting', f'/receiver {DESCRIPTION}', 'nobody', '')],
+        {'nobody': f'The fault `no_model` is only for the topic {DESCRIPTION}: a service may have that name, too.'},
+        'fault',
+        str(client),
+    )
 
 
 def two_deaf(learner) -> None:
@@ -322,6 +334,33 @@ def like_usual_ones(node: str, kind: str) -> list[dict]:
     return [{'role': 'subscription', 'node': node, 'name': name, 'type': kind, **STRONG} for name in names]
 
 
+def read(learner, there: list[dict], secret: dict) -> None:
+    """Start nodes with these endpoints, and fail with words if the learner's read_topics sees anything else.
+
+    :param secret: an endpoint of which `usual` is true.
+    """
+    with System(learner.context.get_domain_id()) as system, about('read'):
+        for endpoint in (secret, *there):
+            system.add(endpoint)
+        seen = learner.call('endpoints_here', len(there), 5.0)
+        # One more than there are: it reads again and again, and what is kept from call to call comes twice.
+        again = learner.call('endpoints_here', len(there) + 1, 0.6)
+    check_read(seen, there)
+    _check_once(again, there)
+
+
+def _check_once(seen: list[dict], there: list[dict]) -> None:
+    """Fail with words if an endpoint is in the list more often than it is there."""
+    for end in seen:
+        times = seen.count(end)
+        expect(
+            times <= max(1, there.count(end)),
+            f'You have {end} {times} times: one endpoint for each. Do you read a topic once for each of its types, or '
+            'keep a list from call to call (`found=[]` after `def`)?',
+            'read',
+        )
+
+
 def check_read(seen, there: list[dict]) -> None:
     """Fail with words if `seen`, by the learner's read_topics, is anything else than the endpoints that are there."""
     expect(isinstance(seen, list) and all(isinstance(end, dict) for end in seen), f'You return {seen!r}.', 'read')
@@ -338,6 +377,13 @@ def check_read(seen, there: list[dict]) -> None:
             f'You have {end}, which is left out by `usual`.',
             'usual',
         )
+    for end in seen:
+        expect(
+            end.get('role') in ROLES,
+            f'You have {end}, whose role is {end.get("role")!r}. For a topic there are {" and ".join(ROLES)}.',
+            'read',
+        )
+    _check_once(seen, there)
     for endpoint in there:
         twins = [
             end

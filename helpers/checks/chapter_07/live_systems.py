@@ -19,7 +19,7 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rosidl_runtime_py.utilities import get_message
 from tf2_msgs.msg import TFMessage
 
-from helpers.checks.chapter_07.findings import no_fault, with_name
+from helpers.checks.chapter_07.findings import is_finding, no_fault, with_name
 from helpers.kernel import domains
 from helpers.programs.faults.fault import START, commands
 from helpers.programs.faults.live import NUMBERS, Planned, changed, key
@@ -105,9 +105,10 @@ def answer(learner) -> Answer:
         if not isinstance(value, dict) or not all(one in NUMBERS and isinstance(of, list) for one, of in value.items()):
             raise broken(f'{name} must be a dictionary from the numbers of the systems, 1 to 5, to lists.', rule)
     for number, found in findings.items():
+        if is_finding(found):
+            raise broken(f'System {number}: one finding, {found!r}, is no list of findings: put it into [ ].', 'cause')
         for one in found:
-            fits = isinstance(one, list) and len(one) == 4 and all(isinstance(part, str) for part in one)
-            if not fits:
+            if not is_finding(one):
                 raise broken(
                     f'System {number}: {one!r} is no finding: it has four parts, and each is a string.', 'cause'
                 )

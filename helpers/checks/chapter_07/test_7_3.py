@@ -27,11 +27,7 @@ def test_read(learner):
     there += graphs.publishers_beside(there[1], f'/{room}')
     there += graphs.like_usual_ones(f'/{room}/watch', common['type'])
     secret = {'role': 'subscription', 'node': '/_secret', 'name': f'/{topic}', **common}
-    with graphs.System(learner.context.get_domain_id()) as system, about('read'):
-        for endpoint in (secret, *there):
-            system.add(endpoint)
-        seen = learner.call('endpoints_here', len(there), 5.0)
-    graphs.check_read(seen, there)
+    graphs.read(learner, there, secret)
 
 
 @pytest.mark.rules('name', 'nobody', 'type', 'reliability', 'durability', 'fits', 'fault', 'all')
