@@ -17,7 +17,7 @@ def check(learner, *states, rule, times=6):
             stacks.diagnose(learner, *states, rule=rule)
 
 
-@pytest.mark.rules('healthy')
+@pytest.mark.rules('healthy', 'own-call')
 def test_healthy_threads(learner):
     """Threads that spin, are idle, or wait for an answer outside of a callback, are healthy.
 
@@ -27,6 +27,7 @@ def test_healthy_threads(learner):
     check(learner, 'waits in main', rule='healthy')
     check(learner, 'at work', rule='healthy')
     check(learner, 'serving', rule='healthy', times=2)
+    stacks.judge_task(learner)
 
 
 @pytest.mark.rules('server', 'call', 'spin', 'busy', 'own-call', 'all')

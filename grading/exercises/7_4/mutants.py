@@ -109,6 +109,17 @@ MUTANTS = [
     Mutant('empty_lines_are_no_lines', old='files[Path(file).name].splitlines()',
            new="(files[Path(file).name].replace('\\n\\n', '\\n') + '\\n' * 99).splitlines()", breaks='own-call',
            also=('server', 'call', 'spin', 'busy', 'all'), expect='your evidence is'),
+    Mutant('two_files_are_rclpys', old="path.parent.name != 'rclpy']", breaks='own-call', also='healthy',
+           new="not str(path).endswith(('rclpy/client.py', 'rclpy/executors.py'))]", expect='list index out of range'),
+    # As a daemon that still spins ends the program, often.
+    Mutant('thread_spins_to_the_end', old="print('answer:', future.result().message)", new="""
+        import os
+        print('answer:', future.result().message, flush=True)
+        os.write(2, b'terminate called without an active exception\\n')
+        os.abort()
+        """, breaks='answer', expect='call rclpy.try_shutdown() and join it'),
+    Mutant('with_of_a_later_distribution', old='rclpy.init()', new='with rclpy.init(): pass', breaks='answer',
+           also=('no-server', 'no-answer', 'interrupt'), expect='that works from the distribution after Jazzy on'),
     Mutant('what_is_installed_is_rclpys', old="path.parent.name != 'rclpy']", new="'site-packages' not in str(path)]",
            breaks='own-call', also=('server', 'call', 'spin', 'busy', 'all'), expect='You did not find'),
     Mutant('whatever_executes', old="'await_or_execute' in [function for _, _, function in calls[own:]]",

@@ -11,7 +11,7 @@ from std_srvs.srv import Trigger
 
 from helpers.checks.chapter_07.findings import compare
 from helpers.programs.faults import words
-from helpers.runner import expect, workspaces
+from helpers.runner import about, expect, explanations, workspaces
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
 
@@ -65,7 +65,7 @@ _LINES = {
 }
 
 
-def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str], list[tuple]]:
+def draw(random, *states: str, plain: bool = False, third: str = '') -> tuple[str, dict[str, str], list[tuple]]:
     """Stacks with a thread in each of these states, the program's files, and the findings that are right.
 
     States: the causes, ``spinning`` (the main thread spins), ``idle`` (a worker without the program's calls),
@@ -75,8 +75,9 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
     executors.py), ``looking`` (it waits for a server, and just looks whether it is there), ``same`` (another thread in
     the line of the one before).
     :param plain: each thread has one own call besides that in main, and no file is called as one of rclpy's.
+    :param third: how the third file is called; '' for any of these names.
     """
-    program = _Program(random, plain)
+    program = _Program(random, plain, third)
     threads = [program.thread(state) for state in states]
     text = '\n\n'.join(
         '\n'.join([f'{head} (most recent call first):', *thread])
@@ -92,7 +93,7 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
 class _Program:
     """Draws the threads of a program, line by line; `expected`: the findings in those that it has drawn."""
 
-    def __init__(self, random, plain: bool):
+    def __init__(self, random, plain: bool, third: str):
         self._random, self._plain = random, plain
         self._rclpy = random.choice(_RCLPY)
         nodes = random.sample(words.SERVICES, 3)
@@ -100,7 +101,7 @@ class _Program:
         names = [
             f'{nodes[0][1]}.py',
             f'{nodes[1][1]}.py',
-            'tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py']),
+            third or ('tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py'])),
         ]
         # The name of a folder may begin with that of rclpy. (If it ended with it, `my_rclpy/client.py` would end as
         # the card says of rclpy's own file.)
@@ -185,9 +186,9 @@ class _Program:
         ]
 
 
-def diagnose(learner, *states: str, rule: str = '', plain: bool = False) -> None:
+def diagnose(learner, *states: str, rule: str = '', plain: bool = False, third: str = '') -> None:
     """Draw stacks, ask the learner's diagnose_stacks, and fail with words if it does not find what is expected."""
-    text, files, expected = draw(learner.random, *states, plain=plain)
+    text, files, expected = draw(learner.random, *states, plain=plain, third=third)
     more = [MORE[state] for state in states if state in MORE]
     compare(
         learner.call('diagnose_stacks', text, files),
@@ -196,6 +197,13 @@ def diagnose(learner, *states: str, rule: str = '', plain: bool = False) -> None
         rule,
         '\n'.join([*more, f'The files are {", ".join(files)}; the stacks are:\n{text}']),
     )
+
+
+def judge_task(learner) -> None:
+    """A file that is called as rclpy's task.py, while a callback of rclpy runs: rules `own-call` and `healthy`."""
+    for state in ('serving', 'serving', 'waits in main', 'at work'):
+        with about('own-call'):
+            diagnose(learner, state, rule='own-call', third='task.py')
 
 
 def _frame(file: str, line: int, function: str) -> str:
@@ -327,6 +335,17 @@ class Ended:
     seconds: float
     name: str
     word: str
+
+    @property
+    def told(self) -> str:
+        """What it printed and how it ended, in words, and what that means, if it is an error."""
+        kind, _, text = self.printed.partition(': ')
+        kind = kind.rpartition('.')[2]
+        # What is said of a missing module is about the cells of a notebook.
+        more = explanations.explain(kind, text) if kind != 'ModuleNotFoundError' else ''
+        if self.printed == 'terminate called without an active exception':  # as C++ says
+            more = 'A thread still spun when Python ended: call rclpy.try_shutdown() and join it.'
+        return f'printed `{self.printed}` and ended with status {self.status}. {more}'.strip()
 
     @property
     def gave_up_early(self) -> bool:
@@ -492,16 +511,13 @@ def judge_answer(learner, of: str) -> None:
             else ''
         ),
     )
-    expect(
-        (done.printed, done.status) == (f'answer: {done.word}', '0'),
-        f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',
-    )
+    expect((done.printed, done.status) == (f'answer: {done.word}', '0'), f'{told}; the client {done.told}')
     both = runs['twice']
     expect(
         (both.printed, both.status) == (f'answer: {both.word}'.strip(), '0'),
         f'The server of {both.name} came after about {0.62 * both.seconds:.0f} s, and needed as long for its answer, '
-        f'whose message is empty. The client may wait {both.seconds:g} s for each of the two, and printed '
-        f'`{both.printed}` after {both.took:.1f} s.',
+        f'whose message is empty. The client may wait {both.seconds:g} s for each of the two. After {both.took:.1f} s '
+        f'it {both.told}',
     )
 
 
@@ -516,10 +532,7 @@ def judge_no_server(learner, of: str) -> None:
         f'`{silent.printed}`: look for the server.',
     )
     expect(done.status != 'none', f'{told}, and the client goes on and on: it was ended after 8 s.')
-    expect(
-        (done.printed, done.status) == (f'no server for {done.name}', '1'),
-        f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',
-    )
+    expect((done.printed, done.status) == (f'no server for {done.name}', '1'), f'{told}; the client {done.told}')
     _judge_time(done, told)
 
 
@@ -528,10 +541,7 @@ def judge_no_answer(learner, of: str) -> None:
     done = Client(learner).runs(of)['silent']
     told = 'The server never answers'
     expect(done.status != 'none', f'{told}, and the client waits on and on.')
-    expect(
-        (done.printed, done.status) == ('no answer', '1'),
-        f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',
-    )
+    expect((done.printed, done.status) == ('no answer', '1'), f'{told}; the client {done.told}')
     _judge_time(done, told)
 
 
