@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.models import CAUSES, FRAMES, Robot
+from helpers.checks.chapter_07.models import CAUSES, FRAMES, Robot, judge_rare_links
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')
@@ -34,7 +34,7 @@ def test_one_link(learner, cause):
     """
     for form in range(12):
         with about(cause):
-            Robot(learner.random, cause, form=form).diagnose(learner)
+            Robot(learner.random, cause, form=form, small=form > 5).diagnose(learner)
 
 
 @pytest.mark.rules('all')
@@ -54,6 +54,9 @@ def test_several_links(learner):
         robot.diagnose(learner, 'all')
     many = [(f'part_{number}', learner.random.choice(CAUSES)) for number in range(12)]
     Robot(learner.random, *many, parts=12).diagnose(learner, 'all')
+    Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
+    for _ in range(2):
+        Robot(learner.random, *CAUSES, double=True).diagnose(learner, 'all')
 
 
 @pytest.mark.rules('shape', 'weight', 'kept')
@@ -66,10 +69,11 @@ def test_repaired_links(learner):
     both = [('base_link', 'mass'), ('base_link', 'inertia')]
     for causes in (['collision'], ['mass'], ['inertia'], ['inertial'], both):
         for number in range(4):
-            robot = Robot(learner.random, *causes, form=number)
+            robot = Robot(learner.random, *causes, form=number, frame=FRAMES[number % len(FRAMES)])
             robot.diagnose(learner, 'all')
             with about('kept'):
                 robot.check(learner.call('repair_model', robot.urdf))
+    judge_rare_links(learner)
 
 
 @pytest.mark.rules('shape', 'weight', 'kept')
@@ -81,4 +85,6 @@ def test_it_stands(learner):
     """
     robot = Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertia'), 'mass', 'collision', 'inertial')
     robot.diagnose(learner, 'all')
-    robot.drop(learner, learner.call('repair_model', robot.urdf))
+    with about('kept'):
+        repaired = learner.call('repair_model', robot.urdf)
+    robot.drop(learner, repaired)

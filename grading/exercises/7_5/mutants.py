@@ -22,9 +22,9 @@ MUTANTS = [
            expect='Each of the three moments', **INERTIA),
     Mutant('no_triangle', old='if low <= 0 or high > low + middle:', new='if low <= 0:',
            expect='none is more than the sum of the two others', **INERTIA),
-    Mutant('four_decimals', old='low, middle, high = sorted(map(float, values or ', breaks='inertia',
+    Mutant('four_decimals', old='low, middle, high = sorted(map(float, values or ', breaks='inertia', also='all',
            new='low, middle, high = sorted(round(float(one), 4) for one in (values or ',
-           expect='there is no such fault'),
+           expect='Each of the three moments'),
     Mutant('collisions_with_an_origin_only', old="if link.find(tag) is None]", expect='there is no such fault',
            new="if link.find(tag) is None or tag == 'collision' and link.find('collision/origin') is None]",
            breaks='collision', also=('inertial', 'mass', 'inertia', 'frames', 'all')),
@@ -42,7 +42,7 @@ MUTANTS = [
     Mutant('one_missing_part_of_a_link', old="if link.find(tag) is None]", new="if link.find(tag) is None][:1]", breaks='all',
            expect='You did not find `falls`, cause `inertial`'),
     Mutant('frames_with_something_in_them', old="faults if link.find('visual') is not None]",
-           new="faults if link.find('visual') is not None or len(link)]", breaks='frames', expect='A link without <visual> needs none'),
+           new="faults if link.find('visual') is not None or len(link)]", breaks='frames', expect='is only a frame'),
     Mutant('masses_of_frames', old="faults if link.find('visual') is not None]",
            new="faults if link.find('visual') is not None or fault[0] in ('mass', 'inertia')]", breaks='frames',
            expect='there is no such fault'),
@@ -145,6 +145,26 @@ MUTANTS = [
            expect='The moments of'),
     Mutant('three_of_six_values', old="attrib.update(ixy='0', ixz='0', iyz='0')", new='attrib', breaks='weight',
            expect='An <inertia> has six values'),
+    Mutant('an_origin_in_every_visual', breaks='shape', expect='not None',
+           old="collision.extend(copy.deepcopy([part for part in visual if part.tag in ('origin', 'geometry')]))", new='''
+           collision.append(copy.deepcopy(visual.find('origin')))
+           collision.append(copy.deepcopy(visual.find('geometry')))
+           '''),
+    Mutant('one_for_each_visual', old="for fault in faults if link.find('visual') is not None]",
+           new="for fault in faults for _ in link.findall('visual')]", breaks='all', expect='2 times. Each fault is one finding'),
+    Mutant('masses_of_frames_become_one', old=END, new='''
+    for mass in robot.iter('mass') if diagnose_model(urdf) else []:
+        mass.set('value', mass.get('value') if float(mass.get('value')) > 0 else '1.0')
+    return ElementTree.tostring(robot, encoding='unicode')
+''', breaks='kept', expect='was right, and is changed'),
+    Mutant('a_millionth_more_than_the_sum', old='high > low + middle', new='high > low + middle + 1e-6', breaks='inertia',
+           expect='none is more than the sum', also='all'),
+    Mutant('one_percent_more_than_the_sum', old='high > low + middle', new='high > 1.01 * (low + middle)', breaks='inertia',
+           expect='none is more than the sum', also=('all', 'weight', 'kept')),
+    Mutant('six_decimals', old='map(str, moments))', new="[f'{one:.6f}' for one in moments])", breaks='weight',
+           expect='The moments of'),
+    Mutant('the_visual_comes_first', old="visual = link.find('visual')", new='visual = link[0]', breaks='shape',
+           expect='of the <collision> of', also=('weight', 'kept')),
     Mutant('five_at_most', old='    return found\n', new='    return found[:5]\n', breaks='all', expect='You did not find'),
     Mutant('mass_below_a_ton', old="float(mass.get('value')) <= 0", new="not 0 < float(mass.get('value')) < 1000",
            expect='A mass must be more than 0', breaks='mass', also=('all', 'inertia', 'frames')),

@@ -7,7 +7,7 @@ from contextlib import suppress
 from xml.etree import ElementTree
 
 from helpers.checks.chapter_07.findings import compare
-from helpers.runner import expect
+from helpers.runner import about, expect
 
 CAUSES = ('collision', 'inertial', 'mass', 'inertia')
 FRAMES = ('empty', 'collision', 'inertial')
@@ -47,16 +47,31 @@ else:
 class Robot:
     """A drawn robot: its `urdf`, and the `expected` findings. `causes`: pairs of link and cause, or causes."""
 
-    def __init__(self, random, *causes, frame='', form: int | None = None, flat: bool = False, parts: int = 0):
+    def __init__(
+        self,
+        random,
+        *causes,
+        frame='',
+        form: int | None = None,
+        flat: bool = False,
+        parts: int = 0,
+        small: bool = False,
+        bare: bool = False,
+        double: bool = False,
+    ):
         """`form`: which of the wrong values it is, by its number.
 
         :param frame: what is in a link without <visual>, if there is one: ``empty``, ``collision`` or ``inertial``.
         :param flat: the links are as thin as paper, so that one moment is the sum of the two others, light or heavy.
         :param parts: so many more links; too many for a simulation.
+        :param small: all links but the base have millimetres and grams.
+        :param bare: no <visual> has an <origin>.
+        :param double: each link has two <visual>, as those of the course's robot; too many for a repair.
         """
-        self._form, self._flat = form, flat
+        self._random, self._form, self._flat, self._small, self._bare = random, form, flat, small, bare
+        self._double = double
         names = [*random.sample(_LINKS, 3), *(f'part_{number}' for number in range(parts))]
-        unseen = random.choice(_FRAME_NAMES)
+        self._frame = random.choice(_FRAME_NAMES) if frame else ''
         faults: dict[str, list[str]] = {}
         for cause in causes:
             faults.setdefault(random.choice(names) if isinstance(cause, str) else cause[0], []).append(
@@ -66,58 +81,42 @@ class Robot:
         self.faulty = faults
         root = ElementTree.Element('robot', name=f'robot{random.randint(10, 99)}')
         ElementTree.SubElement(ElementTree.SubElement(root, 'material', name='paint'), 'color', rgba='0.2 0.4 0.6 1')
-        self._link(root, random, 'base_link', faults.get('base_link', ()), box=True)
+        self._link(root, 'base_link', faults.get('base_link', ()), box=True)
         if frame:
-            laser = ElementTree.SubElement(root, 'link', name=unseen)
-            if frame == 'collision':
-                ElementTree.SubElement(
-                    ElementTree.SubElement(ElementTree.SubElement(laser, frame), 'geometry'), 'sphere', radius='0.05'
-                )
-            elif frame == 'inertial':
-                inertial = ElementTree.SubElement(laser, frame)
-                ElementTree.SubElement(inertial, 'mass', value='0')
-                ElementTree.SubElement(
-                    inertial, 'inertia', dict.fromkeys(('ixx', 'iyy', 'izz', 'ixy', 'ixz', 'iyz'), '0')
-                )
-        for number, name in enumerate([unseen, *names]):
-            if not number and not frame:
-                continue
+            self._add_frame(root, frame)
+        for number, name in enumerate([self._frame, *names]):
             if number:
-                self._link(root, random, name, faults.get(name, ()))
-            joint = ElementTree.SubElement(
-                root, 'joint', name=f'{name}_joint', type='fixed' if number % 2 == 0 else 'continuous'
-            )
-            ElementTree.SubElement(joint, 'parent', link='base_link')
-            ElementTree.SubElement(joint, 'child', link=name)
-            ElementTree.SubElement(
-                joint, 'origin', xyz=f'{0.3 * number - 0.4:.2f} {0.4 * (-1) ** number} 0.0', rpy='1.5708 0 0'
-            )
-            ElementTree.SubElement(joint, 'axis', xyz='0 0 1')
+                self._link(root, name, faults.get(name, ()))
+            if name:
+                _add_joint(root, name, number)
         ElementTree.indent(root)
         self.urdf = '<?xml version="1.0"?>\n' + ElementTree.tostring(root, encoding='unicode')
 
-    def _link(self, root, random, name: str, faults, box: bool = False) -> None:
+    def _add_frame(self, root, content: str) -> None:
+        """A link that nobody sees; for `content` see `frame` of `__init__`."""
+        link = ElementTree.SubElement(root, 'link', name=self._frame)
+        if content == 'collision':
+            geometry = ElementTree.SubElement(ElementTree.SubElement(link, content), 'geometry')
+            ElementTree.SubElement(geometry, 'sphere', radius='0.05')
+        elif content == 'inertial':
+            inertial = ElementTree.SubElement(link, content)
+            ElementTree.SubElement(inertial, 'mass', value='0')
+            ElementTree.SubElement(inertial, 'inertia', dict.fromkeys((*_MOMENTS, *_PRODUCTS), '0'))
+
+    def _link(self, root, name: str, faults, box: bool = False) -> None:
+        """A link that is seen, with these faults; `box`: it is the base, which is always the same box."""
+        random = self._random
         link = ElementTree.SubElement(root, 'link', name=name)
-        numbers = [f'{random.uniform(0.05, 0.2):.3f}' for _ in range(3)]
-        shape = (
-            random.choice(
-                [
-                    ('box', {'size': ' '.join(numbers)}),
-                    ('sphere', {'radius': numbers[0]}),
-                    ('cylinder', {'radius': numbers[0], 'length': numbers[1]}),
-                ]
-            )
-            if not box
-            else ('box', {'size': '0.3 0.4 0.1'})
-        )
-        mass = random.uniform(0.3, 3.0)
+        small = self._small and not box
+        shape, mass = (('box', {'size': '0.3 0.4 0.1'}), random.uniform(0.3, 3.0)) if box else _body(random, small)
         turned = random.choice(['0 0.15 0', '0.1 0 -0.2', *([] if 'collision' in faults else ['0 0 0'])])
-        origin = {'xyz': f'0 0 {float(numbers[2]) / 10:.4f}', 'rpy': turned}
-        for part in ['visual'] if 'collision' in faults else ['visual', 'collision']:
+        origin = {'xyz': f'0 0 {random.uniform(0.005, 0.02):.4f}', 'rpy': turned}
+        for part in ['visual'] * (1 + self._double) + ['collision'] * ('collision' not in faults):
             there = ElementTree.SubElement(link, part)
             if part == 'visual' and 'collision' in faults:  # its parts may stand in any order
                 ElementTree.SubElement(there, 'material', name='paint')
-            if part == 'visual' or random.random() < 0.5:  # without an origin, it is where the link is
+            # Without an origin, it is where the link is.
+            if not self._bare if part == 'visual' else random.random() < 0.5:
                 ElementTree.SubElement(there, 'origin', origin)
             geometry = ElementTree.SubElement(there, 'geometry')
             if part == 'visual':
@@ -129,34 +128,44 @@ class Robot:
         if 'inertial' not in faults:
             inertial = ElementTree.SubElement(link, 'inertial')
             ElementTree.SubElement(inertial, 'origin', origin)
-            value = (
-                self._one_of(random, ['0', random.choice(['0.00', '0.000']), f'-{mass:.2f}'])
-                if 'mass' in faults
-                else random.choice(['0.004', '0.0003', '1e-6', '1250', '7e4'])
-                if self._flat
-                else f'{mass:.2f}'
-            )
-            ElementTree.SubElement(inertial, 'mass', value=value)
-            exact = random.choice([['0.00002', '0.00002', '0.00004'], ['2e-9', '4e-9', '2e-9'], ['2e5', '2e5', '4e5']])
-            moments = exact if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
-            if 'inertia' in faults:
-                place = random.randrange(3) if self._form is None else self._form // 3 % 3
-                # Other ones than those of the solid body, of which one is wrong, and a sum that is wrong by a little.
-                moments = [f'{1.3 * one:.6f}' for one in solid(*shape, mass)]
-                others = [float(one) for number, one in enumerate(moments) if number != place]
-                wrong = self._one_of(random, ['0', f'-{min(others):.5f}', f'{1.02 * sum(others):.7f}'])
-                moments = moments[:1] * 3 if wrong == '0' else moments  # then 0 is the only thing that is wrong
-                moments[place] = wrong
-                self.expected.append(('falls', name, 'inertia', ' '.join(moments)))
-            ElementTree.SubElement(
-                inertial, 'inertia', dict(zip(_MOMENTS, moments, strict=True)), ixy='1e-9', ixz='-1e-9', iyz='0'
-            )
-            if 'mass' in faults:
-                self.expected.append(('falls', name, 'mass', value))
+            self._add_mass(inertial, name, mass, faults, small)
+            self._add_moments(inertial, name, solid(*shape, mass), faults, small)
         self.expected += [('falls', name, cause, '') for cause in ('collision', 'inertial') if cause in faults]
+        parts = list(link)
+        while len(parts) > 1 and parts[0].tag == 'visual' and faults:  # nothing says that it comes first
+            random.shuffle(parts)
+        link[:] = parts
 
-    def _one_of(self, random, values: list[str]) -> str:
-        return random.choice(values) if self._form is None else values[self._form % len(values)]
+    def _add_mass(self, inertial, name: str, mass: float, faults, small: bool) -> None:
+        text = f'{mass:.4f}' if small else f'{mass:.2f}'
+        if 'mass' in faults:
+            text = self._one_of(['0', self._random.choice(['0.00', '0.000']), f'-{text}'])
+            self.expected.append(('falls', name, 'mass', text))
+        elif self._flat:
+            text = self._random.choice(['0.004', '0.0003', '1e-6', '1250', '7e4'])
+        ElementTree.SubElement(inertial, 'mass', value=text)
+
+    def _add_moments(self, inertial, name: str, right, faults, small: bool) -> None:
+        """`right`: the moments of the solid body."""
+        random, digits = self._random, '.6g' if small else '.6f'
+        exact = random.choice([['0.00002', '0.00002', '0.00004'], ['2e-9', '4e-9', '2e-9'], ['2e5', '2e5', '4e5']])
+        moments = exact if self._flat else [f'{one:{digits}}' for one in right]
+        if 'inertia' in faults:
+            place = random.randrange(3) if self._form is None else self._form // 3 % 3
+            # Other ones than those of the solid body, of which one is wrong, and a sum that is wrong by a little.
+            moments = [f'{1.3 * one:{digits}}' for one in right]
+            others = [float(one) for number, one in enumerate(moments) if number != place]
+            # By how much a small one is wrong is little as a number, and much as a part.
+            more = f'{1.5 * sum(others):.6g}' if small else f'{1.002 * sum(others):.7f}'
+            wrong = self._one_of(['0', f'-{min(others):.3g}', more])
+            moments = moments[:1] * 3 if wrong == '0' else moments  # then 0 is the only thing that is wrong
+            moments[place] = wrong
+            self.expected.append(('falls', name, 'inertia', ' '.join(moments)))
+        values = dict(zip(_MOMENTS, moments, strict=True))
+        ElementTree.SubElement(inertial, 'inertia', values, ixy='1e-9', ixz='-1e-9', iyz='0')
+
+    def _one_of(self, values: list[str]) -> str:
+        return self._random.choice(values) if self._form is None else values[self._form % len(values)]
 
     def diagnose(self, learner, rule: str = '') -> None:
         """Ask the learner's diagnose_model, and fail with words if it does not find what is expected."""
@@ -167,7 +176,12 @@ class Robot:
             if link.get('name') in names
         ]
         given = '\n'.join(ElementTree.tostring(link, encoding='unicode').strip() for link in links[:2])
-        compare(learner.call('diagnose_model', self.urdf), self.expected, WHY, rule, given)
+        compare(learner.call('diagnose_model', self.urdf), self.expected, WHY, rule, given, self._of_a_frame)
+
+    def _of_a_frame(self, finding) -> tuple[str, str]:
+        """For `compare`: why a finding about a frame is none, and the rule that says so."""
+        frame = finding[1] == self._frame
+        return ('A link without <visual> is only a frame: nothing in it is judged.', 'frames') if frame else ('', '')
 
     def check(self, repaired) -> None:
         """Fail with words if the repaired text is no robot, or a link is not as it should be."""
@@ -226,13 +240,14 @@ class Robot:
         )
         values = [moments.get(key, '') for key in _MOMENTS]
         old = [one.get(key) for one in before.findall('inertial/inertia') for key in _MOMENTS]
-        shape = visual.find('geometry')[0]
-        wanted = solid(shape.tag, shape.attrib, right) if {'inertia', 'inertial'} & set(faults) else map(float, old)
-        wanted = list(wanted)
+        shape, new = visual.find('geometry')[0], bool({'inertia', 'inertial'} & set(faults))
+        wanted = list(solid(shape.tag, shape.attrib, right) if new else map(float, old))
+        # Where all is small, a new one may have two digits: a number of decimals is no measure for it.
+        digits = {'part': 0.05 if new else 1e-4, 'most': 0.0} if self._small else {}
         expect(
-            all(map(_close, values, wanted)),
-            f'The moments of {name} are {" ".join(values)}, expected {" ".join(f"{value:.6f}" for value in wanted)}.',
-            'weight' if {'inertia', 'inertial'} & set(faults) else 'kept',
+            all(_close(value, one, **digits) for value, one in zip(values, wanted, strict=True)),
+            f'The moments of {name} are {" ".join(values)}, expected {" ".join(f"{value:.5g}" for value in wanted)}.',
+            'weight' if new else 'kept',
         )
         for key in _PRODUCTS if {'inertia', 'inertial'} & set(faults) else ():
             expect(
@@ -245,9 +260,14 @@ class Robot:
     @staticmethod
     def _check_collision(name: str, visual, collision) -> None:
         for part in ('origin', 'geometry'):
-            there = collision.find(part)
+            there, seen = collision.find(part), visual.find(part)
+            if seen is None:
+                numbers = ElementTree.fromstring(_canonical(there)).attrib.values() if there is not None else ()
+                fits = {one for value in numbers for one in value.split()} <= {'0', '-0'}
+                expect(fits, f'The <visual> of {name} has no <origin>, so its <collision> has none.', 'shape')
+                continue
             expect(
-                there is not None and _canonical(there) == _canonical(visual.find(part)),
+                there is not None and _canonical(there) == _canonical(seen),
                 f'The <{part}> of the <collision> of {name} is not that of its <visual>.',
                 'shape',
             )
@@ -265,6 +285,48 @@ class Robot:
             f'Two seconds after it was dropped, {lowest} is at {seen[lowest]:.1f} m: it fell through the floor.',
             'shape',
         )
+
+
+def _add_joint(root, name: str, number: int) -> None:
+    """The joint between the base and a link, which is the one with this number."""
+    kind = 'fixed' if number % 2 == 0 else 'continuous'
+    joint = ElementTree.SubElement(root, 'joint', name=f'{name}_joint', type=kind)
+    ElementTree.SubElement(joint, 'parent', link='base_link')
+    ElementTree.SubElement(joint, 'child', link=name)
+    xyz = f'{0.3 * number - 0.4:.2f} {0.4 * (-1) ** number} 0.0'
+    ElementTree.SubElement(joint, 'origin', xyz=xyz, rpy='1.5708 0 0')
+    ElementTree.SubElement(joint, 'axis', xyz='0 0 1')
+
+
+def _body(random, small: bool) -> tuple[tuple[str, dict[str, str]], float]:
+    """A shape, with its sizes, and its mass.
+
+    :param small: all its moments are 0 with six decimals, and nearly right with eight.
+    """
+    while True:
+        numbers = [
+            f'{random.uniform(0.004, 0.015):.4f}' if small else f'{random.uniform(0.05, 0.2):.3f}' for _ in '123'
+        ]
+        shape = random.choice(
+            [
+                ('box', {'size': ' '.join(numbers)}),
+                ('sphere', {'radius': numbers[0]}),
+                ('cylinder', {'radius': numbers[0], 'length': numbers[1]}),
+            ]
+        )
+        mass = round(random.uniform(0.005, 0.03), 4) if small else random.uniform(0.3, 3.0)
+        if not small or all(1.5e-7 < one < 4.5e-7 for one in solid(*shape, mass)):
+            return shape, mass
+
+
+def judge_rare_links(learner) -> None:
+    """Repairs of links that are small, or that are seen where they are, without an <origin>."""
+    for cause, rule, form in (('collision', 'shape', {'bare': True}), ('inertia', 'weight', {'small': True})):
+        for _ in range(2):
+            robot = Robot(learner.random, cause, **form)
+            robot.diagnose(learner)
+            with about(rule):
+                robot.check(learner.call('repair_model', robot.urdf))
 
 
 def solid(shape: str, sizes: dict[str, str], mass: float) -> tuple[float, float, float]:
@@ -310,8 +372,9 @@ def _check_rest(link: str, before: list[str], after: list[str]) -> None:
     expect(not new, f'What was right must stay: after your repair, {where}, this is there, too: {new[:1]}', 'kept')
 
 
-def _close(text: str, value: float) -> bool:
+def _close(text: str, value: float, part: float = 1e-4, most: float = 2e-6) -> bool:
+    """Whether a text is this number; it may differ by a part of it, and by `most` more."""
     try:
-        return abs(float(text) - value) <= 1e-4 * abs(value) + 2e-6
+        return abs(float(text) - value) <= part * abs(value) + most
     except (TypeError, ValueError):
         return False

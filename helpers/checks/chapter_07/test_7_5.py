@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.models import CAUSES, FRAMES, Robot
+from helpers.checks.chapter_07.models import CAUSES, FRAMES, Robot, judge_rare_links
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')
@@ -21,6 +21,9 @@ def test_causes(learner):
     Robot(learner.random).diagnose(learner)
     for _ in range(4):
         Robot(learner.random, flat=True).diagnose(learner)
+    for form in (2, 5, 8):  # a sum that is wrong
+        with about('inertia'):
+            Robot(learner.random, 'inertia', small=True, form=form).diagnose(learner)
     for frame in FRAMES:
         with about('frames'):
             for _ in range(2):
@@ -32,6 +35,7 @@ def test_causes(learner):
         many = [(f'part_{number}', learner.random.choice(['mass', 'inertial', 'collision'])) for number in range(5, 30)]
         Robot(learner.random, ('base_link', 'mass'), *many, 'mass', parts=30).diagnose(learner, 'all')
         Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
+        Robot(learner.random, *CAUSES, double=True).diagnose(learner, 'all')
 
 
 @pytest.mark.rules('shape', 'weight', 'kept', 'frames')
@@ -43,12 +47,14 @@ def test_repair(learner):
     both = [('base_link', 'mass'), ('base_link', 'inertia')]
     for causes in ((), *[(cause,) for cause in CAUSES], both, CAUSES):
         # A negative mass shows whose mass the moments are; 0 does not.
+        negative = causes in (('mass',), both)
         robot = Robot(
             learner.random,
             *causes,
-            frame='empty' if causes else 'inertial',
-            form=2 if causes in (('mass',), both) else None,
+            frame='inertial' if negative or not causes else 'empty',
+            form=2 if negative else None,
         )
         robot.diagnose(learner, 'all' if causes else 'frames')
         with about('kept'):
             robot.check(learner.call('repair_model', robot.urdf))
+    judge_rare_links(learner)
