@@ -29,7 +29,7 @@ def repair_package(files):
     package = [name for name in files if '__init__' in name][0].split('/')[0]
     for finding in diagnose_package(files):
         for number, line in enumerate(lines):
-            if line.strip().strip('\'"').startswith(finding.where + ' '):
+            if line.strip().strip('\'"').split('=')[0].strip() == finding.where:
                 public = [name for name in functions(files[f'{package}/{finding.where}.py']) if name[0] != '_']
                 lines[number] = f'            "{finding.where}={package}.{finding.where}:{public[0]}",'
     return files | {'setup.py': '\n'.join(lines)}

@@ -98,6 +98,12 @@ MUTANTS = [
            expect='cause `function`'),
     Mutant('only_with_main', breaks='file', also='all', old="module.endswith('.py')", new="'.py:main' in value",
            expect='no `/`, no `.py`'),
+    Mutant('names_of_letters_alone', old=r"r'^def ([a-z]\w*)\('", new=r"r'^def ([a-z]+)\('", breaks='repaired',
+           expect='not subscriptable'),
+    Mutant('a_name_has_letters_alone', old='elif not re.search(', new="elif not re.fullmatch('_?[a-zA-Z]+', function) or not re.search(",
+           expect='there is no such fault', **FUNCTION),
+    Mutant('one_space_on_each_side', old=REPLACE, new=REPLACE.replace(r'\s*=[', ' = ['), breaks='repaired',
+           expect='After your repair'),
     Mutant('comments_go', breaks='kept', old="return {**files, 'setup.py': setup}", new='''
         lines = [line for line in setup.splitlines() if not line.startswith('#')]
         return {**files, 'setup.py': '\\n'.join(lines) + '\\n'}

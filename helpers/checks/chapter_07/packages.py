@@ -8,7 +8,7 @@ from helpers.runner import about, expect
 
 PACKAGES = ('greeter', 'porter', 'gardener', 'courier', 'patrol')
 PROGRAMS = ('hello', 'status', 'sweep', 'fetch', 'charge', 'lift', 'report', 'dock')
-FUNCTIONS = ('main', 'run', 'start', 'go', 'work')
+FUNCTIONS = ('main', 'run2', 'start', 'say_hello', 'work')
 CAUSES = ('file', 'module', 'function')
 FORMS = 8  # so many forms has the cause that has most
 WHY = {
@@ -100,7 +100,7 @@ class Package:
         self.name = random.choice(PACKAGES)
         programs = random.sample(PROGRAMS, 3)
         # Two that are right: one has .py in its right side, the name of the other ends as that of another one.
-        programs += ['pylon', f're{programs[0]}']
+        programs += ['pylon', f're_{programs[0]}']
         self.words = {program: f'word{random.randint(100, 999)}' for program in programs}
         self.right, self.expected, entries = {}, [], []
         self.files = {f'{self.name}/__init__.py': '', 'README.md': f'The robot {self.name}\n'}
@@ -113,6 +113,8 @@ class Package:
             function, method = random.sample(FUNCTIONS, 2)
             if program == first:  # no function named is a fault also where the module has a main
                 function, method = 'main', random.choice(FUNCTIONS[1:])
+            elif program == likely[1]:  # neither letters alone, nor spaces around the sign
+                function, method = random.sample(('run2', 'say_hello'), 2)
             self.files[f'{self.name}/{program}.py'] = _MODULE.format(
                 function=function,
                 arguments=random.choice(_ARGUMENTS),
@@ -149,7 +151,8 @@ class Package:
                 value = random.choice(forms) if form is None else forms[form % len(forms)]
                 self.expected.append(('no_program', program, faulty[program], value))
             quote = random.choice(['"', "'"])
-            entries.append(f'            {quote}{program} = {value}{quote},')
+            sign = random.choice(['=', '  =  '] if program == likely[1] else [' = ', '=', '  =  '])
+            entries.append(f'            {quote}{program}{sign}{value}{quote},')
         # The first wrong right side stands before the entries, too, where it does no harm.
         self.description = ' as '.join(['What the robot does', *[finding[3] for finding in self.expected[:1]]])
         self.files['setup.py'] = _SETUP.format(
