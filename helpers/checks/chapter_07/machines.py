@@ -26,6 +26,7 @@ WHY = {
 }
 _URL = 'http://packages.ros.org/ros2/ubuntu'
 _SETUP = re.compile(r'(?:source|\.)\s+\S*/opt/ros/(\w+)/setup\.(?:ba)?sh')
+_COMPLETION = 'share/ros2cli/environment/ros2-argcomplete.bash'  # a file of ROS that sources none
 _VALUE = re.compile(r'(?:export\s+)?(\w+)=(.*)')
 
 
@@ -114,6 +115,8 @@ def judge_rare_lines(learner) -> None:
         ('range', '', [source, 'export ROBOT_MODE=OFF', 'export OLD_ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST'], 0),
         ('sources', '', [f"alias {distro}='{source}'", f'echo {source}'], 0),
         ('sources', '', [source, f"alias {older}='source /opt/ros/{older}/setup.bash'"], 0),
+        ('sources', '', [source, f'source /opt/ros/{older}/{_COMPLETION}'], 0),
+        ('sources', '', [f'source /opt/ros/{distro}/{_COMPLETION}'], 0),
         ('variables', '', [source, f"alias far='export ROS_DOMAIN_ID={number}'", f'echo PATH={folder}'], 0),
         (
             'missing',
@@ -150,7 +153,15 @@ def rare_repairs(random) -> list[tuple[dict, dict]]:
         'ros2.list': f'# ROS 2\n{right}\n',
         '.bashrc': '\n'.join(
             ['export ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET', f'export ROS_DOMAIN_ID={domain + 1}', source, wrong]
-            + ['if [ -f ~/.aliases ]; then', '    . ~/.aliases', 'fi', 'if [ -d ~/maps ]; then', '    cd ~/maps', 'fi']
+            + [
+                'if [ -f ~/.aliases ]; then',
+                '    . ~/.aliases',
+                'fi',
+                '',
+                'if [ -d ~/maps ]; then',
+                '    cd ~/maps',
+                'fi',
+            ]
             + [f'export PATH=/opt/tool{number}/bin:$PATH', f'export ROS_DOMAIN_ID={domain}']
         ),
     }
@@ -300,6 +311,8 @@ def try_out(learner, before: dict, after, want: dict) -> None:
         'repair_machine must return a dictionary with the texts of ros2.list and .bashrc.',
         'repaired',
     )
+    for name, text in before.items():
+        _lines_apart(name, text, after[name])
     _sources(before['ros2.list'], after['ros2.list'], want)
     _others(before, after, want)
     marks = {distro: f'{distro}{learner.random.getrandbits(40):x}' for distro, _ in RELEASES}
@@ -378,8 +391,9 @@ def _others(before: dict, after: dict, want: dict) -> None:
     found = expected_of(before, want)
     causes = {cause for _, _, cause, _ in found}
     for name, text in before.items():
-        there = Counter(line.strip() for line in after[name].splitlines())
-        for line, count in Counter(map(str.strip, text.splitlines())).items():
+        there = Counter(map(str.rstrip, after[name].splitlines()))
+        for whole, count in Counter(map(str.rstrip, text.splitlines())).items():
+            line = whole.strip()
             value = _VALUE.match(line)
             of_a_fault = (
                 any(line == evidence for _, _, _, evidence in found)
@@ -390,14 +404,28 @@ def _others(before: dict, after: dict, want: dict) -> None:
                 and line.startswith('#')
                 and (want['distro'] in line or 'deb' in line)  # it may have been made to do something again
             )
-            expect(
-                not line or of_a_fault or there[line] >= count,
-                f'The line `{line}` of {name} is gone: keep all other lines.'
-                if line not in there
-                else f'The line `{line}` stood {count} times in {name}, and now {there[line]} times: keep all other '
-                'lines, also those that are equal.',
-                'kept',
-            )
+            expect(of_a_fault or there[whole] >= count, _lost(name, whole, count, there), 'kept')
+
+
+def _lines_apart(name: str, before: str, after: str) -> None:
+    """Fail with words if lines that a file had before now stand in one line."""
+    lines = [line.strip() for line in before.splitlines() if line.strip()]
+    one = '\n' not in after.strip() and sum(line in after for line in lines) > 1
+    expect(not one, f"In your {name} the lines stand in one line: join them with '\\n'.", 'kept')
+
+
+def _lost(name: str, line: str, count: int, there: Counter) -> str:
+    """What is said of a line that a file had so many times; `there`: the lines that it has after the repair."""
+    if not line:
+        return f'{name} had {count} empty line(s), and now has {there[line]}: keep all other lines.'
+    if line not in there and line.strip() in {one.strip() for one in there}:
+        return f'The line `{line}` of {name} has lost the spaces at its beginning: keep all other lines as they are.'
+    if line not in there:
+        return f'The line `{line}` of {name} is gone: keep all other lines.'
+    return (
+        f'The line `{line}` stood {count} times in {name}, and now {there[line]} times: keep all other lines, also '
+        'those that are equal.'
+    )
 
 
 def _sources(before: str, after: str, want: dict) -> None:
