@@ -62,7 +62,7 @@ MUTANTS = [
                   if frame in newest and now - newest[frame] > 1.0]]
 ''', breaks='order', expect='there is no such fault'),
     Mutant('two_parents_first', old='if source not in frames:',
-           new='if source not in frames and max(map(len, parents.values())) < 2:', breaks='order',
+           new='if source not in frames and max(map(len, parents.values()), default=0) < 2:', breaks='order',
            expect='You did not find `no_transform`, cause `unknown`'),
     Mutant('inverts_the_numbers', old='t.header.frame_id, t.child_frame_id = child, parent', new='''
         t.header.frame_id, t.child_frame_id = child, parent
@@ -121,7 +121,7 @@ def above(parents, frame, other):
            expect='none that is below the top frame'),
     Mutant('a_target_that_is_unknown', old='if source not in frames:', breaks='not-connected', also='unknown',
            new="""
-    if target not in frames:
+    if frames and target not in frames:
         return [Finding('no_transform', target, 'unknown', nearest(target, frames))]
     if source not in frames:
 """, expect='cause `not connected`'),
@@ -131,6 +131,12 @@ def above(parents, frame, other):
            also=('newest', 'order'), expect='your evidence is'),
     Mutant('known_in_any_letters', old='if source not in frames:', new='if source.lower() not in {frame.lower() for frame in frames}:',
            breaks='unknown', expect='You did not find `no_transform`, cause `unknown`'),
+    Mutant('sorts_what_it_was_given', old='parents, newest = {}, {}', breaks='kept', also='nothing', expect='the order stays',
+           new='parents, newest, _ = {}, {}, moving.sort(key=lambda t: (t.header.stamp.sec, t.header.stamp.nanosec))'),
+    Mutant('something_must_have_come', old='frames = set(parents).union(*parents.values())', breaks='unknown',
+           new='frames = set.union(set(parents), *parents.values()) if min(parents) else set()', expect='empty'),
+    Mutant('six_steps_up', old='while way[-1] in parents:', new='while way[-1] in parents and len(way) < 7:',
+           breaks='not-connected', also='old', expect='goes through'),
     Mutant('slashes_do_not_count', old='frames = set(parents).union(*parents.values())',
            new="frames = {frame.strip('/') for frame in set(parents).union(*parents.values())}", breaks='unknown',
            expect='You did not find `no_transform`, cause `unknown`'),

@@ -54,6 +54,10 @@ def test_repair(learner):
             with about('repaired'):
                 tree.check(tree.repaired(learner, tree.expected))
     judge_names(learner)
+    tree = Tree(learner.random)
+    with about('repaired'):
+        repaired = learner.call('repaired_tf', *tree.arguments)
+    tree.check(repaired)
     for cause, near in (('unknown', False), ('not connected', False), ('old', True)):
         tree = Tree(learner.random, cause, near=near)
         with about('nothing'):

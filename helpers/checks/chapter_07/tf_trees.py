@@ -271,10 +271,46 @@ def judge_other_places(learner) -> None:
         tree.diagnose(learner, rule='unknown')
         _judge_meant_target(learner, tree)
         _judge_other_letters(learner)
+        _judge_silence(learner)
     with about('two-parents'):
         Tree(learner.random, ASIDE).diagnose(learner)
         Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
     Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
+    _judge_deep_way(learner)
+
+
+def _judge_silence(learner) -> None:
+    """The rule `unknown`, where nothing has come at all: then no frame is known."""
+    source = learner.random.choice(_SENSORS)
+    compare(
+        learner.call('diagnose_tf', [], [], 'map', source, 9.0),
+        [('no_transform', source, 'unknown', '')],
+        WHY,
+        'unknown',
+        f'Asked for {source} in map. Nothing has come, on /tf and on /tf_static: both lists are empty.',
+    )
+
+
+def _judge_deep_way(learner) -> None:
+    """A sensor that is many frames below the target: the way up is gone to its end, whatever its length.
+
+    Rules `not-connected` and `old`: the transform at the top is new or old.
+    """
+    random = learner.random
+    names = ['map', *(f'part{number}' for number in range(random.randint(20, 30))), random.choice(_SENSORS)]
+    pairs = list(zip(names, names[1:], strict=False))
+    static = [_transform(*pair, [0.1, 0.0, 0.0], 0.0) for pair in pairs[1:]]
+    random.shuffle(static)
+    for age, rule in ((0.5, 'not-connected'), (random.randint(20, 90) / 10, 'old')):
+        moving, old = [_transform(*pairs[0], [0.1, 0.0, 0.0], 100.0 - age)], age > 1.0
+        with about(rule):
+            compare(
+                learner.call('diagnose_tf', moving, static, 'map', names[-1], 100.0),
+                [('no_transform', names[1], 'old', f'{age:.1f}')] if old else [],
+                WHY,
+                given=f'The way from {names[-1]} to map goes through {len(names) - 2} frames. map → {names[1]} is '
+                f'{age} s old, all others are static.',
+            )
 
 
 def _judge_meant_target(learner, tree: Tree) -> None:
