@@ -3,7 +3,15 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, everything, judge_single_repairs, named
+from helpers.checks.chapter_07.cases import (
+    FAULTS,
+    ROUNDS,
+    Case,
+    everything,
+    judge_one_round,
+    judge_single_repairs,
+    named,
+)
 from helpers.checks.chapter_07.tf_trees import ASIDE
 from helpers.runner import expect, waiting
 
@@ -121,6 +129,7 @@ def test_repaired_graph(learner):
 
     repair_graph gives the arguments, with_arguments the graph.
     """
+    judge_one_round(learner)
     for faults in (['hidden'], ['service name', 'both'], ['description durability', 'name']):
         case = Case(learner.random, {'graph': tuple(faults)})
         case.check(learner, 'graph', case.repaired(learner, 1 + (faults == ['hidden'])))

@@ -53,6 +53,21 @@ MUTANTS = [
            expect='After your repair', **REPAIR),
     Mutant('static_only', old="'moving', 'static')", new="'static',)", breaks='transforms', also='hidden',
            expect='tf2', **REPAIR),
+    Mutant('repairs_until_nothing_is_new', breaks='endpoints', expect='is left for the next round', edits=(
+        ('def repair_case(case):', 'def one_round(case):'), ('case = repair_case(case)', 'case = one_round(case)'),
+        ('def triage(case):', """
+def repair_case(case):
+    known = []
+    while fresh := [finding for finding in look(case) if finding not in known]:
+        known += fresh
+        case = one_round(case)
+    return case
+
+
+def triage(case):
+""")), **REPAIR),
+    Mutant('returns_no_case', old='    return case\n', new='', breaks='new-case', expect='repair_case returned None',
+           also=('files', 'endpoints', 'transforms', 'hidden', 'every-part', 'ends', 'once', 'nothing'), **REPAIR),
     Mutant('what_the_table_names', old='    return case\n', new="""
     return {key: case[key] for key in ('files', 'want', 'package', 'endpoints', 'stacks', 'programs', 'urdf', 'moving',
                                        'static', 'target', 'source', 'now')}

@@ -37,6 +37,7 @@ REPAIRED = {
     'graph': ('name', 'reliability', 'durability', 'both', 'service name', 'description durability'),
 }
 # Faults of frames of which each hides the next one.
+_ENDPOINTS = 'repair_case must keep all endpoints, as a list of dictionaries.'
 ROUNDS = ('unknown', tf_trees.ASIDE, 'not connected', 'not connected', 'old')
 
 
@@ -118,9 +119,7 @@ class Case:
             except LearnerTimeout as error:
                 error.rule = 'ends'
                 raise
-        expect(
-            not isinstance(found, SetAsList), 'triage returned a set, expected a list: it tells what came first.', rule
-        )
+        expect(not isinstance(found, SetAsList), 'triage returned a set, expected a list: put list(…) around it.', rule)
         twice = [one for one in found if found.count(one) > 1] if isinstance(found, list) else []
         expect(not twice, f'You found {twice and twice[0]} more than once.', 'once')
         compare(found, self.expected, WHY, rule)
@@ -130,7 +129,8 @@ class Case:
         case = self.case
         for _ in range(rounds):
             case = learner.call('repair_case', case)
-            lost = sorted(self.case.keys() - case.keys()) if isinstance(case, dict) else ['everything']
+            expect(isinstance(case, dict), f'repair_case returned {case!r}, expected a case, a dictionary.', 'new-case')
+            lost = sorted(self.case.keys() - case.keys())
             expect(not lost, f'The case that repair_case returned lacks {", ".join(lost)}.', 'new-case')
         return case
 
@@ -152,11 +152,7 @@ class Case:
 
     def check_graph(self, endpoints) -> None:
         """Fail with words if somebody is deaf in the repaired graph who need not be."""
-        expect(
-            isinstance(endpoints, list) and len(endpoints) == len(self.case['endpoints']),
-            'repair_case must keep all endpoints.',
-            'new-case',
-        )
+        expect(isinstance(endpoints, list) and len(endpoints) == len(self.case['endpoints']), _ENDPOINTS, 'new-case')
         offered = {(end['name'], end['type']): end for end in endpoints if end['role'] in ('publisher', 'server')}
         for end in endpoints:
             if end['role'] in ('subscription', 'client'):
@@ -179,6 +175,23 @@ def judge_single_repairs(learner) -> None:
         for cause in causes:
             case = Case(learner.random, {part: (cause,)})
             case.check(learner, part, case.repaired(learner))
+
+
+def judge_one_round(learner) -> None:
+    """A call of repair_case is one round: what shows only after it is still there."""
+    case = Case(learner.random, {'graph': ('hidden',)})
+    (_, before, *_), (_, after, policy, _) = case.expected
+    node, name = after.split()
+    ends = case.repaired(learner)['endpoints']
+    expect(isinstance(ends, list) and all(isinstance(end, dict) for end in ends), _ENDPOINTS, 'new-case')
+    mine = [end for end in ends if (end.get('role'), end.get('node'), end.get('name')) == ('subscription', node, name)]
+    expect(mine, f'{before} has a wrong name. After one call of repair_case, {node} is not at {name}.', 'endpoints')
+    expect(
+        mine[0].get(policy) == graphs.STRONG[policy],
+        f'After one call of repair_case, {node} asks for {mine[0].get(policy)} on {name}. The name was wrong; that the '
+        f'{policy} does not fit shows only after that is repaired, and is left for the next round.',
+        'endpoints',
+    )
 
 
 def everything(random) -> Case:

@@ -3,7 +3,16 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.checks.chapter_07.cases import FAULTS, REPAIRED, ROUNDS, Case, everything, judge_single_repairs, named
+from helpers.checks.chapter_07.cases import (
+    FAULTS,
+    REPAIRED,
+    ROUNDS,
+    Case,
+    everything,
+    judge_one_round,
+    judge_single_repairs,
+    named,
+)
 from helpers.checks.chapter_07.tf_trees import ASIDE
 
 pytestmark = pytest.mark.exercise('7.7')
@@ -51,6 +60,7 @@ def test_repair(learner):
     for part in REPAIRED:
         case.check(learner, part, after)
     judge_single_repairs(learner)
+    judge_one_round(learner)
     for faults in (('service name', 'both'), ('description durability', 'name')):
         case = Case(random, {'graph': faults})
         case.check(learner, 'graph', case.repaired(learner))
