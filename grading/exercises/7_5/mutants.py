@@ -165,6 +165,8 @@ MUTANTS = [
            expect='The moments of'),
     Mutant('the_visual_comes_first', old="visual = link.find('visual')", new='visual = link[0]', breaks='shape',
            expect='of the <collision> of', also=('weight', 'kept')),
+    Mutant('bytes_of_a_robot', old="ElementTree.tostring(robot, encoding='unicode')", new='ElementTree.tostring(robot)',
+           breaks='kept', expect="with encoding='unicode'", also='weight'),
     Mutant('five_at_most', old='    return found\n', new='    return found[:5]\n', breaks='all', expect='You did not find'),
     Mutant('mass_below_a_ton', old="float(mass.get('value')) <= 0", new="not 0 < float(mass.get('value')) < 1000",
            expect='A mass must be more than 0', breaks='mass', also=('all', 'inertia', 'frames')),

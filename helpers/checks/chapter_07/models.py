@@ -185,7 +185,12 @@ class Robot:
 
     def check(self, repaired) -> None:
         """Fail with words if the repaired text is no robot, or a link is not as it should be."""
-        expect(isinstance(repaired, str), 'repair_model must return a string.', 'kept')
+        expect(
+            isinstance(repaired, str),
+            f'repair_model returned {str(repaired)[:60]}, expected a string. ElementTree.tostring gives one with '
+            "encoding='unicode', and bytes without.",
+            'kept',
+        )
         try:
             robot = ElementTree.fromstring(repaired)
         except (ElementTree.ParseError, ValueError) as error:  # also a text with half of a surrogate pair
