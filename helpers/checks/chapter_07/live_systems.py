@@ -205,6 +205,13 @@ def judge_repair(learner, number: int, panel_first: bool = False) -> None:
     named = {where for _, where, _, _ in mine.findings.get(number, [])}
     changes = mine.changes.get(number, [])
     others = [one[0] for one in changes if isinstance(one, list) and one and one[0] not in named]
+    files = list(Planned(mine.who, number).files)
+    absent = [name for name in others if name not in files]
+    expect(
+        not absent,
+        f'System {number}: there is no file {absent and absent[0]!r} to change. There are {", ".join(files)}.',
+        'only-there',
+    )
     expect(
         not others,
         f'System {number}: you changed {others and others[0]!r}, and none of your findings is there. Change only what '
