@@ -125,29 +125,7 @@ class Package:
             )
             self.right[program] = value = f'{self.name}.{program}:{function}'
             if program in faulty:
-                forms = {
-                    'file': [
-                        f'{self.name}/{program}.py:{function}',
-                        f'{self.name}.{program}.py:{function}',
-                        f'{self.name}/{program}:{function}',
-                    ],
-                    'module': [
-                        lost,
-                        f'{program}:{function}',
-                        f'{self.name}.{program}_:{function}',
-                        f'other.{program}:{function}',
-                    ],
-                    'function': [
-                        f'{self.name}.{program}',
-                        f'{self.name}.{program}:{method}',
-                        f'{self.name}.{program}:{function[:-1]}',
-                        f'{self.name}.{program}:_{method}',
-                        f'{self.name}.{program}:Task',
-                        f'{self.name}.{program}:{function.capitalize()}',
-                        f'{self.name}.{program}:Shift',
-                        f'{self.name}.{program}:{function}_later',
-                    ],
-                }[faulty[program]]
+                forms = self._wrong(program, function, method, lost)[faulty[program]]
                 value = random.choice(forms) if form is None else forms[form % len(forms)]
                 self.expected.append(('no_program', program, faulty[program], value))
             quote = random.choice(['"', "'"])
@@ -161,6 +139,32 @@ class Package:
         paths = random.sample([*self.files], len(self.files))
         first = random.choice([paths[0], random.choice(['README.md', 'setup.py'])])  # often none of the package
         self.files = {path: self.files[path] for path in [first, *paths]}
+
+    def _wrong(self, program: str, function: str, method: str, lost: str) -> dict[str, list[str]]:
+        """Wrong right sides of a program, by their cause; `lost`: one that several may have."""
+        return {
+            'file': [
+                f'{self.name}/{program}.py:{function}',
+                f'{self.name}.{program}.py:{function}',
+                f'{self.name}/{program}:{function}',
+            ],
+            'module': [
+                lost,
+                f'{program}:{function}',
+                f'{self.name}.{program}_:{function}',
+                f'other.{program}:{function}',
+            ],
+            'function': [
+                f'{self.name}.{program}',
+                f'{self.name}.{program}:{method}',
+                f'{self.name}.{program}:{function[:-1]}',
+                f'{self.name}.{program}:_{method}',
+                f'{self.name}.{program}:Task',
+                f'{self.name}.{program}:{function.capitalize()}',
+                f'{self.name}.{program}:Shift',
+                f'{self.name}.{program}:{function}_later',
+            ],
+        }
 
     def diagnose(self, learner, rule: str = '') -> None:
         """Ask the learner's diagnose_package, and fail with words if it does not find what is expected."""
