@@ -55,4 +55,43 @@ def test_refuses(bench):
     assert not bench.go('x').accepted
 '''
 """),
+    Alternative('classes_of_the_cards', old='def test_refused(bench):', new="""
+        @pytest.fixture
+        def keeper():
+            rclpy.init()
+            yield StationKeeper()
+            rclpy.shutdown()
+
+
+        def test_keeper(keeper):
+            assert keeper.place('nowhere') is None
+            assert keeper.get_parameter('tolerance').value == pytest.approx(0.1)
+            assert keeper.state == 'idle'
+
+
+        def test_courier(bench):
+            assert issubclass(DeliveryRobot, Courier) and issubclass(Courier, StationKeeper)
+            assert isinstance(bench.robot, Courier)
+            bench.run(0.2)
+            assert Courier.where(bench.robot) == pytest.approx((0.0, 0.0, 0.0))
+
+
+        def test_refused(bench):
+        """, edits=(('import pytest', """
+        import pytest
+        import rclpy
+        """), ('from action_msgs.msg import GoalStatus', """
+        from action_msgs.msg import GoalStatus
+        from delivery_robot.robot import Courier, DeliveryRobot, StationKeeper
+        """))),
+    Alternative('within_the_time_of_a_cancel', old='def test_refused(bench):', new="""
+        def test_called_back_at_once(bench):
+            bench.set_station('gate', 2.0, 0.0)
+            goal = bench.go('gate')
+            bench.cancel(goal)
+            assert bench.result(goal, 0.3).status == GoalStatus.STATUS_CANCELED
+
+
+        def test_refused(bench):
+        """),
 ]

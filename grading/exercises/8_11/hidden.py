@@ -15,7 +15,7 @@ PARTS = {
     'parameters': """\
 
 
-class DeliveryRobot(Node):
+class StationKeeper(Node):
     def __init__(self, **options):
         super().__init__('delivery_robot', **options)
         self.state, self.stations = 'idle', {}
@@ -31,11 +31,6 @@ class DeliveryRobot(Node):
 """,
     'made': """\
         self.create_service(SetStation, 'set_station', self.on_set_station)
-        self.motor = self.create_publisher(Twist, 'cmd_vel', 10)
-        self.buffer = Buffer()
-        self.listener = TransformListener(self.buffer, self)
-        self.server = ActionServer(self, GoToStation, 'go_to_station', self.execute, goal_callback=self.on_goal,
-                                   cancel_callback=lambda goal: CancelResponse.ACCEPT)
 
     def value(self, name):
         return self.get_parameter(name).value
@@ -55,6 +50,14 @@ class DeliveryRobot(Node):
 """,
     'where': """\
 
+
+class Courier(StationKeeper):
+    def __init__(self, **options):
+        super().__init__(**options)
+        self.motor = self.create_publisher(Twist, 'cmd_vel', 10)
+        self.buffer = Buffer()
+        self.listener = TransformListener(self.buffer, self)
+
     def drive(self, linear, angular):
         command = Twist()
         command.linear.x, command.angular.z = float(linear), float(angular)
@@ -69,6 +72,15 @@ class DeliveryRobot(Node):
             return None
         place, turn = found.transform.translation, found.transform.rotation
         return place.x, place.y, math.remainder(2 * math.atan2(turn.z, turn.w), math.tau)
+""",
+    'robot': """\
+
+
+class DeliveryRobot(Courier):
+    def __init__(self, **options):
+        super().__init__(**options)
+        self.server = ActionServer(self, GoToStation, 'go_to_station', self.execute, goal_callback=self.on_goal,
+                                   cancel_callback=lambda goal: CancelResponse.ACCEPT)
 """,
     'goal': """\
 
@@ -128,16 +140,22 @@ STANDS = {'delivery_robot/steering.py': steerings.variant(), 'delivery_robot/mai
 
 def variant(**parts: str) -> dict[str, str]:
     """The package with the right node, with these parts in place of its own; an empty text leaves a part out."""
-    node = (HERE / 'robot.py').read_text() + ''.join({**PARTS, **parts}.values())
+    node = 'import time\n' + (HERE / 'robot.py').read_text() + ''.join({**PARTS, **parts}.values())
     return {**STANDS, 'delivery_robot/robot.py': with_other_attributes(node)}
 
 
+# Before it begins it waits until its clock has gone on: so its first command comes one step of the bench later.
+LATE = """\
+        clock, accepted = self.get_clock(), self.get_clock().now()
+        while clock.now() == accepted and not goal.is_cancel_requested and self.context.ok():
+            time.sleep(0.001)
+"""
 COURSES = {"the course's": variant()}
 RIGHT = {
     **COURSES,
-    'one that keeps time with a rate, and has words of its own': variant(
+    'one that keeps time with a rate, begins to drive a moment later, and has words of its own': variant(
         loop=PARTS['loop']
-        .replace('        while', '        rate = self.create_rate(10.0)\n        while')
+        .replace('        while', f'{LATE}        rate = self.create_rate(10.0)\n        while')
         .replace('self.get_clock().sleep_for(Duration(seconds=0.1))', 'rate.sleep()'),
         stations=PARTS['stations']
         .replace("'no'", "f'{request.x}, {request.y} is nowhere'")

@@ -92,4 +92,9 @@ def test_drive(bench):
                 if not hasattr(bench.robot, 'on_goal'):
                     pytest.skip('another robot')
             """),), expect='Your tests notice', breaks='ends', also=('goals', 'status')),
+    Mutant('a_command_after_one_step', old="assert not bench.go('gate').accepted", new="""
+            bench.run(0.1)
+            assert bench.commands
+            assert not bench.go('gate').accepted
+            """, expect='A test of yours fails with', breaks='right-robots'),
 ]

@@ -17,12 +17,14 @@ from helpers.runner import disguise
 
 _WAYS = 'silent idle any_place any_value moon two early deaf succeeded runs_on blind offended still'.split()
 _YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` computes the same with drawn numbers
-# Besides: how a drive has ended, why a place was refused, and what a parameter is, is said in other words, and where
-# nothing was said, there is a word. All drives that do not arrive end with the same words. That is right all the same.
+# Besides: a drive begins only when the node's clock has gone on, so that its first command comes one step of the bench
+# later. How it has ended, why a place was refused, and what a parameter is, is said in other words, and where nothing
+# was said, there is a word. All drives that do not arrive end with the same words. That is right all the same.
 _BEHIND = """
 
 import copy
 import inspect
+import time
 
 import rclpy.action
 from action_msgs.msg import GoalStatus
@@ -85,6 +87,9 @@ class ActionServer(rclpy.action.ActionServer):
 
     def on_execute(self, goal):
         self.executed = goal
+        clock, accepted = self.of.get_clock(), self.of.get_clock().now()
+        while clock.now() == accepted and not goal.is_cancel_requested and self.of.context.ok():
+            time.sleep(0.001)
         if {succeeded}:
             goal.canceled = goal.succeed
 
@@ -185,7 +190,10 @@ _KINDS = (
     ),
 )
 
-OTHER_WORDS = 'your own, with other words in its messages, and other names where no card gives one'
+OTHER_WORDS = (
+    'your own, which begins to drive a moment later, has other words in its messages, and other names where no card '
+    'gives one'
+)
 # The names that the cards and the given lines of 8.7 to 8.9 give.
 GIVEN_NAMES = {'state', 'stations', 'value', 'place', 'on_set_station', 'motor', 'drive', 'where'}
 
