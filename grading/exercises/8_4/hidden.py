@@ -9,7 +9,7 @@ from helpers.checks.chapter_08.planted import LIMIT
 pytestmark = pytest.mark.exercise('8.4')
 RIGHT = {
     'the given one': variant(),
-    'one that computes in another order': variant(share='    share = max(0.0, min(1.0, (5 * distance - 1) / 4))\n'),
+    'one that computes in another order': variant(share='    share = max(0.0, min(1.0, 1.25 * distance - 0.25))\n'),
     'one with cases instead of a formula': variant(
         share="""\
     if distance >= 1.0:
@@ -17,12 +17,19 @@ RIGHT = {
     elif distance <= 0.2:
         return 0.0
     else:
-        share = 1 - (1.0 - distance) / 0.8
+        share = (distance - 1.0) / 0.8 + 1
 """
     ),
     'one that returns numbers of numpy': variant(
         result='    from numpy import float64\n    return float64(min(speed, max_speed * share) if share else 0.0)\n',
         nan='    if isnan(distance):\n        return 0\n',
+    ),
+    'one that computes the speed, and no share, and takes a speed that is nan for any speed': variant(
+        share='    share = distance > 0.2\n',
+        result="""\
+    allowed = max_speed if distance >= 1.0 else max_speed * (distance - 0.2) / (1.0 - 0.2)
+    return min(allowed, speed) if share else 0.0
+""",
     ),
     'one that says more in its error': variant(
         check="""\

@@ -99,4 +99,18 @@ def test_limit(speed, distance):
 
         def test_free():
         """)), breaks='sensor', expect='that returns nan when the sensor has failed'),
+    Mutant('one_exact_number', old="@pytest.mark.parametrize('max_speed', [-0.1, -inf, nan])", new="""
+        def test_in_between():
+            assert limit(1.0, 1.0, 0.7) == (0.7 - 0.2) / 0.8
+
+
+        @pytest.mark.parametrize('max_speed', [-0.1, -inf, nan])
+        """, expect='Compare computed numbers with pytest.approx', breaks='right-functions'),
+    Mutant('a_speed_that_is_nan', old="@pytest.mark.parametrize('max_speed', [-0.1, -inf, nan])", new="""
+        def test_no_speed():
+            assert not limit(nan, 0.5, 0.5) >= 0
+
+
+        @pytest.mark.parametrize('max_speed', [-0.1, -inf, nan])
+        """, expect='ask for nothing that is not in the docstring', breaks='right-functions'),
 ]

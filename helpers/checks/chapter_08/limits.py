@@ -41,7 +41,15 @@ NOTHINGS = {'that returns nothing': variant(result=NOTHING)}
 RIGHT = {
     'the given one': variant(),
     'one that computes in another order': variant(share='    share = max(0.0, min(1.0, distance / 0.8 - 0.2 / 0.8))\n'),
+    'one that multiplies before it divides': variant(share='    share = max(0.0, min(1.0, (5 * distance - 1) / 4))\n'),
+    'one that computes from 1.0 m down': variant(share='    share = max(0.0, min(1.0, 1 - (1.0 - distance) / 0.8))\n'),
+    'one whose numbers between 0.2 m and 1.0 m differ in the last digit': variant(
+        share=f'{PARTS["share"]}    share *= 1 - 1e-15 if share < 1.0 else 1\n'
+    ),
     'one whose error has another text': variant(check='    if not max_speed >= 0:\n        raise ValueError\n'),
+    'one that makes something else of a speed that is nan': variant(
+        back='    if not speed > 0:\n        return max(-max_speed, speed) if speed <= 0 else 0.0\n'
+    ),
     'one whose zeros are integers': variant(
         nan='    if isnan(distance) or distance <= 0.2:\n        return 0\n',
         back='    if speed <= 0:\n        return max(speed, -max_speed) or 0\n',
