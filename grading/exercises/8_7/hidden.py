@@ -30,7 +30,7 @@ def test_status(learner):
 
     The period of the timer is the parameter's value; DurabilityPolicy.TRANSIENT_LOCAL, depth 1.
     """
-    period = learner.random.choice([0.25, 0.4, 0.9])
+    period = learner.random.choice([0.175, 0.325, 0.875, 1.125])
     with about('status'):
         keeper = stations.Keeper(learner, status_period=period)
     stations.judge_status(keeper, period)

@@ -43,6 +43,8 @@ MUTANTS = [
                 self.publisher.publish(String(data=self.state))
         self.create_timer(self.value('status_period'), tell)
         """, expect='messages came at', breaks='status-period'),
+    Mutant('period_in_tenths', old="self.value('status_period')", new="round(self.value('status_period'), 1)",
+           expect='messages came at', breaks='status-period', also='status'),
     Mutant('period_of_its_own', old="self.value('status_period')", new='0.5', expect='messages came at',
            breaks='status-period', also='status'),
     Mutant('the_newest_period', edits=((
@@ -78,7 +80,7 @@ MUTANTS = [
             ('self.stations[request.name] =', 'self.stations[request.name.lower()] =')),
            expect='nobody has set this station', breaks='unknown'),
     Mutant('a_rate', old="self.value('status_period')", new="1 / self.value('status_period')",
-           expect='With status_period = ', breaks='status', also='status-period'),
+           expect='With status_period = ', breaks='status-period', also='status'),
     Mutant('many_are_kept', old='(depth=1, durability', new='(depth=10, durability',
            expect='expected the newest status', breaks='latched'),
     Mutant('volatile', old=LATCHED, new='latched = 10', expect='offers durability VOLATILE', breaks='latched'),

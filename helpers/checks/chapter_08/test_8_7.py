@@ -40,7 +40,7 @@ def test_status(learner):
     A timer with the period status_period publishes self.state; durability TRANSIENT_LOCAL, depth 1.
     """
     with about('names'):
-        period = learner.random.choice([0.2, 0.3, 0.7, 1.5])
+        period = learner.random.choice([0.125, 0.375, 0.625, 1.375])
         keeper = stations.Keeper(learner, f'/robot{learner.random.randint(2, 99)}', status_period=period)
         keeper.set('a', 1.0, 2.0, 'names')
     stations.judge_status(keeper, period)
