@@ -249,4 +249,9 @@ elif pose is None:
         self.drive(0.0, 0.0)
         return GoalResponse.REJECT
         """, also='stands', expect='it was told to stand'),
+    Mutant('nearest_so_far', breaks='feedback', edits=(('Feedback(distance=distance)', 'Feedback(distance=nearest)'),
+           ('if step % 4 == 0:', """
+           nearest = distance if step == 1 else min(nearest, distance)
+           if step % 4 == 0:
+           """)), expect='then it was carried away'),
 ]

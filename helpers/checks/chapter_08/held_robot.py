@@ -16,6 +16,7 @@ from helpers.runner.peers import SECOND
 TOLERANCE, TIMEOUT, FASTEST, TURN = 0.5, 3.0, 0.5, 2.0  # the parameters of the node: m, s, m/s, rad/s
 GATE = 0.5, 0.0  # the station, in metres
 AWAY = GATE[0] - 1.5, 0.0  # a place that is far from it: x in metres, yaw in radians
+FURTHER = AWAY[0] - 0.5  # x in metres
 ASIDE = 1.1  # metres in y: the straight way from there is neither the one in x nor the one in y, nor both together
 
 
@@ -140,7 +141,7 @@ def _judge_border(held: Held, late: str) -> None:
         goal.status == 'succeeded',
         f'The tolerance is {TOLERANCE:g} m, and for 0.2 s the robot was {left:.3f} m away from the station; it looked '
         f'to 2.5 rad. The goal is {goal.status or "still running"}{said}. It succeeds in the round in which the '
-        'distance is below the tolerance.',
+        f'distance is below the tolerance.{goal.why_aborted}',
         'succeeds',
     )
     expect(
@@ -167,7 +168,7 @@ def _judge_there_already(held: Held) -> None:
     told = 'The robot was at the station when the goal came.'
     expect(
         goal.status == 'succeeded',
-        f'{told} 0.5 s later the goal is {goal.status or "still running"}, expected succeeded.',
+        f'{told} 0.5 s later the goal is {goal.status or "still running"}, expected succeeded.{goal.why_aborted}',
         'succeeds',
     )
     stops = [(one.linear.x, one.angular.z) for one in held.commands.messages].count((0.0, 0.0))
@@ -218,6 +219,13 @@ def _judge_long_drive(held: Held, seconds: float) -> None:
     told = f'The tolerance is {tolerance:g} m now and the timeout {timeout} s, and a drive has taken {seconds:.1f} s. '
     expect(not goal.done, f'{told}The goal is {goal.status}, expected to go on.', 'timeout')
     _judge_distance(goal.feedback[-1].distance if goal.feedback else None, 'The last feedback says', 'feedback')
+    held.stand(FURTHER, 0.0, 1.0, ASIDE)
+    _judge_distance(
+        goal.feedback[-1].distance if goal.feedback else None,
+        'Before, it was nearer; then it was carried away, and 1 s later the last feedback says',
+        'feedback',
+        FURTHER,
+    )
     held.stand(GATE[0] - 1.4 * tolerance, 0.0, 2.0)
     expect(
         not goal.done,
@@ -246,9 +254,9 @@ def _judge_long_drive(held: Held, seconds: float) -> None:
     _judge_distance(goal.result.distance, 'It got lost there, and the result says', 'result')
 
 
-def _judge_distance(said: float | None, who: str, rule: str) -> None:
-    """The distance that is told of a robot at the place aside; None: nothing was told, which is another rule."""
-    x, y = AWAY[0], ASIDE
+def _judge_distance(said: float | None, who: str, rule: str, x: float = AWAY[0]) -> None:
+    """The distance that is told of a robot aside, at this x; None: nothing was told, which is another rule."""
+    y = ASIDE
     straight = math.dist((x, y), GATE)
     expect(
         said is None or said == pytest.approx(straight, abs=1e-3),

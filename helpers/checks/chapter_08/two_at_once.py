@@ -54,7 +54,7 @@ def _judge_end(held: Held, goal, told: str, rule: str) -> None:
     expect(
         goal.status == 'succeeded',
         f'{told}. Then the robot was at the station, and {ROUNDS / 10:g} s later the goal is '
-        f'{goal.status or "still running"}, expected succeeded.',
+        f'{goal.status or "still running"}, expected succeeded.{goal.why_aborted}',
         rule,
     )
 
