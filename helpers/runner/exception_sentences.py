@@ -13,6 +13,12 @@ _WITH = (
 SENTENCES = (
     (
         'AssertionError',
+        r"The '(?:from|to)_value' field must be of type 'float'",
+        'A bound is a float: write 2.0 instead of 2. If it is a text: are the arguments in their order, as in '
+        'bounded(description, low, high)?',
+    ),
+    (
+        'AssertionError',
         r".*must be of type 'float'",
         'A float field takes no int: write 2.0 instead of 2, or float(…) around the value.',
     ),

@@ -91,7 +91,7 @@ def explain(
     line = lines[-1] if lines else ''
     if said := (
         _on_names(kind, text, answer, line, cells)
-        or _on_node(kind, text)
+        or _on_node(kind, text, answer)
         or _on_arguments(kind, text, callback, line)
         or slips_in_lines.explain(kind, text, lines, answer)
     ):
@@ -117,7 +117,7 @@ def explain(
     return _on_ros(kind, text, answer, line)
 
 
-def _on_node(kind: str, text: str) -> str:
+def _on_node(kind: str, text: str, answer: str) -> str:
     """A sentence on a name that rclpy's Node keeps for itself; '' if it is none."""
     if kind != 'AttributeError':
         return ''
@@ -134,7 +134,7 @@ def _on_node(kind: str, text: str) -> str:
         name = found[1]
         if name in _PRIVATE or name.startswith('_Node__'):
             return (
-                "rclpy's Node is not made yet. `super().__init__('name')` must come before everything else in "
+                f"rclpy's Node is not made yet. `{slips.super_call(answer)}` must come before everything else in "
                 '`__init__`.'
             )
     return ''
@@ -148,6 +148,8 @@ def _on_arguments(kind: str, text: str, callback: str, line: str) -> str:
         for whose, arguments in _CALLED_WITH.items():
             if callback.startswith(whose):
                 return f'It is called with {arguments}.'
+    if '__init__() takes' in text and re.search(r'super\(\)\.__init__\(\s*self\b', line):
+        return '`self` goes along by itself: leave it out behind super().__init__.'
     if found := re.match(r'(?:(\w+)\.)?(\w+)\(\) missing (\d+)( required positional)?', text):
         if found[1] == 'CallbackGroup':
             return 'A class is given where a group is wanted. A group is made: MutuallyExclusiveCallbackGroup().'

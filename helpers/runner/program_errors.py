@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 
-from helpers.runner import explanations
+from helpers.runner import explanations, slips
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout, Unheard
 
 # Functions in which the callback of a deadlock waits for the answer of a service or an action.
@@ -35,9 +35,8 @@ class ProgramErrors:
                     'A class must inherit from `Node`; a function must return the node.'
                 )
             case 'no_super':
-                return LearnerError(
-                    f"`{name}` is not initialised as a node: call `super().__init__('…')` first in `__init__`."
-                )
+                call = slips.super_call(self._answer, name)
+                return LearnerError(f'`{name}` is not initialised as a node: call `{call}` first in `__init__`.')
             case 'not_callable':
                 return LearnerError(f'`{name}` is {_a(str(problem.get("got"))[:100])}, not a function.')
             case 'busy':

@@ -98,6 +98,17 @@ def _too_late(name: str, setters: list[str]) -> str:
     return f'Only `{setters[0]}` sets `self.{name}`, and it has not run yet. Set a first value in `__init__`.'
 
 
+def super_call(text: str, name: str = '') -> str:
+    """How the constructor of the answer's class calls that of its base; the class `name`, or the only one.
+
+    A base that is no `Node` itself gives the name of the node, and takes the options.
+    """
+    classes = [node for node in _tree(text).body if isinstance(node, ast.ClassDef) and name in ('', node.name)]
+    bases = {ast.unparse(base).rpartition('.')[2] for node in classes for base in node.bases}
+    derived = len(classes) == 1 and bases and not bases & {'Node', 'LifecycleNode'}
+    return 'super().__init__(**options)' if derived else "super().__init__('name')"
+
+
 def misspelt_constructor(text: str) -> str:
     """A sentence if a class has a method that was meant to be `__init__`; '' if none has."""
     of_classes = [methods for methods in _names(text).methods.values() if '__init__' not in methods]
@@ -205,10 +216,17 @@ class _Names(ast.NodeVisitor):
 def _names(text: str) -> _Names:
     found = _Names()
     try:
+        found.visit(_tree(text))
+    except RecursionError:
+        pass
+    return found
+
+
+def _tree(text: str) -> ast.Module:
+    """The syntax tree of an answer; an empty one if it is no Python."""
+    try:
         with warnings.catch_warnings():
             warnings.simplefilter('ignore')  # of the learner's text, such as an invalid escape
-            tree = ast.parse(text)
-        found.visit(tree)
+            return ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        pass  # an answer that is no Python
-    return found
+        return ast.Module([], [])

@@ -8,7 +8,7 @@ from helpers.runner.explanations import explain
 
 IMPORTS = """
 from example_interfaces.action import Fibonacci
-from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from geometry_msgs.msg import TransformStamped, Twist
 from nav_msgs.msg import OccupancyGrid
 from rclpy.action import ActionClient
@@ -201,6 +201,13 @@ def node(domain):
         ('DurabilityPolicy.LATCHED', 'DurabilityPolicy has BEST_AVAILABLE, SYSTEM_DEFAULT, TRANSIENT_LOCAL'),
         ("QoSProfile(depth=1, durability='transient_local')", 'durability=DurabilityPolicy.TRANSIENT_LOCAL'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
+        ("-node.declare_parameter('rate', 1.0).value; -node.get_parameter('rate')", 'get_parameter(name).value'),
+        ("FloatingPointRange(from_value=0.0, to_value='speed')", 'in their order, as in bounded('),
+        (
+            'class Base(Node):\n    def __init__(self, **options):\n        pass\n\n\n'
+            'class Courier(Base):\n    def __init__(self, **options):\n        super().__init__(self, **options)\n\n\nCourier()',
+            '`self` goes along by itself',
+        ),
         (
             "node.add_on_set_parameters_callback(lambda parameters: True); node.declare_parameter('rate', 1.0)",
             'returns SetParametersResult(successful=…), on every way',

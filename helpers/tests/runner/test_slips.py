@@ -245,6 +245,20 @@ def test_a_misspelt_constructor_of_the_base():
     assert told == 'Is the constructor meant? It is written `__init__`, with two underscores on each side.'
 
 
+@pytest.mark.parametrize(
+    ('head', 'call'),
+    [
+        ('class A(Node)', "super().__init__('name')"),
+        ('class A(rclpy.node.Node)', "super().__init__('name')"),
+        ('class A(StationKeeper)', 'super().__init__(**options)'),
+        ('class B(StationKeeper)', "super().__init__('name')"),  # another class than the one that is asked for
+        ('class A(', "super().__init__('name')"),
+    ],
+)
+def test_how_the_constructor_of_the_base_is_called(head, call):
+    assert slips.super_call(f'{head}:\n    pass\n', 'A') == call
+
+
 @pytest.mark.parametrize('text', ['class A(', 'x = 1\0', 'a' + '.b' * 100_000, '(' * 5000, r"'\d'"])
 def test_any_text_can_be_looked_at(text):
     assert slips.missing_self('x', text) == slips.unset_attribute('x', text) == slips.misspelt_constructor(text) == ''
