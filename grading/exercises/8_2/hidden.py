@@ -46,7 +46,7 @@ def test_rhythm(learner):
     judge_rhythm(governed, rate)
 
 
-@pytest.mark.rules('at-once', 'newest', 'new-rate', 'refused', 'limit', 'pair', 'modes', 'before')
+@pytest.mark.rules('at-once', 'newest', 'new-rate', 'refused', 'limit', 'pair', 'modes', 'before', 'rhythm')
 @pytest.mark.weight(3)
 def test_changes(learner):
     """Changes act from the next message on; a refused request changes nothing, neither parameters nor what it does.

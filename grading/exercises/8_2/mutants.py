@@ -164,7 +164,7 @@ MUTANTS = [
             mode = self.get_parameter('mode').value
             """)), expect='The newest one is', breaks='newest'),
     Mutant('ten_times_a_second', old="1 / self.get_parameter('rate').value", new='0.1', expect='With rate = ',
-           breaks='rhythm', also=('new-rate', 'at-start', 'at-once')),
+           breaks='rhythm', also=('new-rate', 'at-start', 'at-once', 'before')),
     Mutant('rate_is_a_period', old="1 / self.get_parameter('rate').value", new="self.get_parameter('rate').value",
            expect='With rate = ', breaks='rhythm', also=('before', 'new-rate', 'at-start', 'at-once', 'limit')),
     Mutant('publishes_when_it_comes', source='''
@@ -283,4 +283,26 @@ class Governor(Node):
            speed = self.command.linear.x * (0.4 if mode == 'slow' else 1.0)
            command.linear.x = max(-limit, min(limit, speed))
            """, breaks='modes', expect='What is smaller than the limit stays as it is'),
+    Mutant('begins_again_at_a_new_mode', old='def react(self, parameters):', new="""
+           def react(self, parameters):
+               if self.timer and 'mode' in [parameter.name for parameter in parameters]:
+                   self.timer.reset()
+           """, breaks='new-rate', expect='Only a new rate begins with a new period'),
+    Mutant('new_timer_for_slow_linear', old="if 'rate' in [parameter.name for parameter in parameters]:",
+           new="if {'rate', 'slow_linear'} & {parameter.name for parameter in parameters} and self.has_parameter('rate'):",
+           breaks='new-rate', expect='Only a new rate begins with a new period'),
+    Mutant('no_new_rate_in_the_mode_stop', old="if 'rate' in [parameter.name for parameter in parameters]:",
+           new="""
+           standing = self.timer and self.get_parameter('mode').value == 'stop'
+           if 'rate' in [parameter.name for parameter in parameters] and not standing:
+           """, breaks='new-rate', expect='in the mode stop'),
+    Mutant('three_zeros', edits=(("if mode != 'stop':", """
+           self.zeros = getattr(self, 'zeros', 0) + 1 if mode == 'stop' else 0
+           if self.zeros > 3:
+               return
+           if mode != 'stop':
+           """),), breaks='rhythm', also=('modes', 'new-rate', 'at-once', 'before'), expect='in each mode'),
+    Mutant('no_pair_in_the_mode_slow', old=PAIR, new=f"""
+           {PAIR} or new['mode'] == 'slow'
+           """, breaks='pair', expect='in each mode', also='refused'),
 ]

@@ -294,6 +294,11 @@ def _judge_new_limits(governed: Governed, limit: float, rate: float) -> float:
     governed.newest(period, 'rhythm')
     speeds = [one.linear.x for one in governed.after(2 * period)]
     expect(
+        len(speeds) == 2,
+        f'With rate = {rate:g}, {len(speeds)} messages came in 2 periods, that is in {2 * period:g} s.',
+        'rhythm',
+    )
+    expect(
         speeds == pytest.approx([limit] * 2),
         f'With max_linear = {limit:g}, after the one command 3.0 m/s these came out: {speeds}, expected {limit:g} '
         'again and again.',
@@ -316,6 +321,16 @@ def _judge_new_limits(governed: Governed, limit: float, rate: float) -> float:
         'After a change of max_linear, the messages come at other moments. Only a new rate begins with a new period.',
         'new-rate',
     )
+    for change in ({'slow_linear': 0.15}, {'mode': 'slow'}, {'mode': 'stop'}, {'mode': 'normal'}):
+        governed.accepts('at-once', **change)
+        governed.newest(period, 'modes')
+        expect(
+            _in_rhythm(governed, rate),
+            f'After the request {shown(change)}, 0.3 periods after a message, the messages come at other moments. Only '
+            'a new rate begins with a new period: leave the timer alone.',
+            'new-rate',
+        )
+    governed.send(command(3.0, 0.5))  # whether the one before has outlived the mode stop is looked at later
     return other
 
 
@@ -357,12 +372,16 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
 
 
 def _judge_new_rate(governed: Governed, rate: float) -> float:
-    """Other rates, alone and with another value, which begin with a new period; returns the last one."""
+    """Other rates, alone and with another value, which begin with a new period; returns the last one.
+
+    The first one comes in the mode stop, and the second one ends this mode.
+    """
     draw = governed.learner.random
     between = [one for one in RATES[1:-1] if one != rate]
     news = [one for one in (RATES[0], RATES[-1]) if one != rate]  # the slowest and the fastest
     news += draw.sample(between, 3 - len(news))
     draw.shuffle(news)
+    governed.accepts('at-once', mode='stop')
     for new, before, behind in zip(news, ({}, {'mode': 'normal'}, {}), ({}, {}, {'mode': 'normal'}), strict=True):
         request = {**before, 'rate': new, **behind}
         governed.accepts('new-rate', **request)
@@ -371,7 +390,9 @@ def _judge_new_rate(governed: Governed, rate: float) -> float:
         at = [round(stamp - begin, 4) for stamp in governed.heard.stamps]
         expect(
             at == pytest.approx([1 / new, 2 / new, 3 / new], abs=1e-4),
-            f'The rate was {rate:g}, and the request {shown(request)} was accepted. After that, messages came after '
+            f'The rate was {rate:g}, and the request {shown(request)} was accepted'
+            + (', in the mode stop' if new == news[0] else '')
+            + '. After that, messages came after '
             f'{at} s, expected one every {1 / new:g} s.'
             + (' Does the old timer still run?' if len(at) > 3 else '')
             + (' Look at all parameters of a request.' if len(request) > 1 else ''),
@@ -410,6 +431,8 @@ def _judge_new_modes(governed: Governed, rate: float) -> None:
             f'angular.z {got.angular.z:g}.',
             'at-once',
         )
+        if when == 'before':
+            _judge_long_stop(governed, rate)
         governed.accepts('at-once', mode='slow')
         got = governed.newest(1 / rate, 'at-once')
         expect(
@@ -427,6 +450,25 @@ def _judge_new_modes(governed: Governed, rate: float) -> None:
             'modes',
         )
         governed.send(command(3.0, turn))
+
+
+def _judge_long_stop(governed: Governed, rate: float) -> None:
+    """The rules `rhythm` and `modes`: the mode stop lasts, and zeros go out in each of its periods."""
+    came = governed.after(20.5 / rate)
+    expect(
+        len(came) == 20,
+        f'In the mode stop, with rate = {rate:g}, {len(came)} messages came in 20.5 periods, expected 20. It publishes '
+        'in each mode, as long as the mode lasts: in stop, zeros.',
+        'rhythm',
+    )
+    wrong = [one for one in came if one != Twist()]
+    speed, turn = (wrong[0].linear.x, wrong[0].angular.z) if wrong else (0.0, 0.0)
+    expect(
+        not wrong,
+        f'In the mode stop, {len(wrong)} of 20 messages are no zeros: linear.x {speed:g}, angular.z {turn:g}. It holds '
+        'until the mode changes.',
+        'modes',
+    )
 
 
 def judge_modes(learner, namespace: str) -> None:
@@ -529,7 +571,11 @@ def judge_rules(governed: Governed) -> None:
         ({'mode': ''}, False),
         ({'mode': draw.choice(['norm', 'low', 'to'])}, False),
         ({'mode': 'slow'}, True),
+        ({'slow_linear': high}, False),
+        ({'max_linear': low / 2}, False),
         ({'mode': 'stop'}, True),
+        ({'slow_linear': high}, False),
+        ({'max_linear': low / 2}, False),
         ({'mode': 'normal '}, False),
         ({'mode': 'normal'}, True),
     ):
@@ -540,7 +586,7 @@ def judge_rules(governed: Governed) -> None:
         expect(
             answer.successful == good,
             f'With {shown(now)}, the request {shown(values)} was {"refused" if good else "accepted"}. '
-            + ('Judge the values as they would be after the request.' if pair else '')
+            + ('Judge the values as they would be after the request, in each mode.' if pair else '')
             + (' In Python, 0.0 counts as false.' if 0.0 in values.values() else ''),
             rule,
         )

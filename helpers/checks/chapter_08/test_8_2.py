@@ -36,7 +36,7 @@ def test_commands(learner):
         check_options(learner, 'Governor', 'names')
 
 
-@pytest.mark.rules('at-once', 'newest', 'new-rate', 'refused', 'limit', 'pair', 'modes', 'before')
+@pytest.mark.rules('at-once', 'newest', 'new-rate', 'refused', 'limit', 'pair', 'modes', 'before', 'rhythm')
 def test_changes(learner):
     """A change acts from the next message on, and a refused one not at all.
 
