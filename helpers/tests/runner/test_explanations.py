@@ -205,7 +205,8 @@ def node(domain):
         ("FloatingPointRange(from_value=0.0, to_value='speed')", 'in their order, as in bounded('),
         (
             'class Base(Node):\n    def __init__(self, **options):\n        pass\n\n\n'
-            'class Courier(Base):\n    def __init__(self, **options):\n        super().__init__(self, **options)\n\n\nCourier()',
+            'class Courier(Base):\n    def __init__(self, **options):\n        super().__init__(self, **options)\n\n\n'
+            'Courier()',
             '`self` goes along by itself',
         ),
         (
