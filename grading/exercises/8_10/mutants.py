@@ -88,4 +88,9 @@ MUTANTS = [
            expect='Declare each argument before', breaks='arguments', alone=True),
     Mutant('a_name_of_its_own', old=ROBOT, new=ROBOT.replace("'robot',", "'robot', name='courier',"),
            expect='but /courier did', breaks='robot', alone=True),
+    Mutant('the_word_scene', old="[(name, LaunchConfiguration(name)) for name in ('scene', 'real_time_factor')]",
+           new="{'scene': 'scene', 'real_time_factor': LaunchConfiguration('real_time_factor')}.items()",
+           expect='Pass the value of the argument on', breaks='world', alone=True),
+    Mutant('another_file', old=INSTALLED, new=INSTALLED.replace('delivery.yaml', 'delivery_robot.yaml'),
+           expect='there is config/delivery.yaml: is that meant', breaks='robot', alone=True),
 ]

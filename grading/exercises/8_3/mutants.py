@@ -165,4 +165,17 @@ def generate_launch_description():
     Mutant('log_below_base', old="('cmd_vel', 'base/cmd_vel')]",
            new="('cmd_vel', 'base/cmd_vel'), ('/rosout', 'base/rosout')]", breaks='others-stay',
            expect='has the topic /robot2/base/rosout'),
+    Mutant('no_simulated_time_by_the_launch_file', old="parameters=[config], remappings=[('cmd_vel', 'base/cmd_vel')]",
+           new="parameters=[config, {'use_sim_time': False}], remappings=[('cmd_vel', 'base/cmd_vel')]",
+           expect='gives a governor a value itself', breaks='installed-file'),
+    Mutant('simulated_time', old='rate: 20.0', new="""
+           rate: 20.0
+           use_sim_time: true
+           """, expect='has set use_sim_time to true', breaks='others-stay', also='remapped'),
+    Mutant('another_file', old="'config', 'fleet.yaml'", new="'config', 'fleet.yml'", breaks='installed-file', also='nodes',
+           expect='there is config/fleet.yaml: is that meant'),
+    Mutant('no_space_behind_a_colon', old='rate: 20.0', new='rate:20.0', breaks='types', also=('nodes', 'rate'),
+           edits=(('    max_linear: 0.6', '    max_linear:0.6'),), expect='a space is missing behind the colon'),
+    Mutant('a_mode_that_is_no_text', old='mode: slow', new='mode: off', breaks='types', also='nodes',
+           expect='in quotes they are texts'),
 ]

@@ -111,7 +111,7 @@ class Programs:
 
     def besides(self, installed: str) -> dict:
         """The parameters that the launch file gave the robot besides the installed file, which has this text."""
-        return parameter_files.given_besides(self._robots, installed)
+        return parameter_files.given_besides(self._robots, installed, ('use_sim_time',))
 
     def end(self) -> str:
         """End them; what they have printed."""

@@ -240,8 +240,8 @@ def by_the_file(learner, defaults: dict[str, float]) -> dict:
     for word, why in (
         (
             'InvalidParameterTypeException',
-            'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0, not 30.'
-            + launch_output.wrong_type(output),
+            f'A value in DELIVERY_YAML has the wrong type.{launch_output.wrong_type(output)} All are doubles: 30.0, '
+            'not 30.',
         ),
         ("Couldn't parse params file", f'ROS cannot read DELIVERY_YAML. {parameter_files.why_unreadable(text)}'),
     ):

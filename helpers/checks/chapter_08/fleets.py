@@ -72,15 +72,18 @@ def launched(learner) -> dict[str, dict]:
     log, reports, _ = learner.server.workspaces[key]
     expect(
         'InvalidParameterTypeException' not in log,
-        'A governor did not start: a value in FLEET_YAML has the wrong '
-        f'type. rate and max_linear are doubles: 1.0, and not 1.{launch_output.wrong_type(log)}',
+        f'A governor did not start: a value in FLEET_YAML has the wrong type.{launch_output.wrong_type(log)} rate and '
+        'max_linear are doubles: 1.0, and not 1.',
         'types',
     )
     missing = launch_output.missing_parameter_file(log)
     expect(
         not missing,
-        f'The launch file names a parameter file that is not there: {missing}. The sources of the package are gone, so '
-        'name the installed file: FindPackageShare finds its folder.',
+        f'The launch file names a parameter file that is not there: {missing}.'
+        + (
+            launch_output.other_name(missing, 'fleet', 'config/fleet.yaml')
+            or ' The sources of the package are gone, so name the installed file: FindPackageShare finds its folder.'
+        ),
         'installed-file',
     )
     expect(
@@ -190,6 +193,12 @@ def judge_names(learner) -> None:
         got, wanted = there[name]['listens'], name.replace('governor', 'cmd_vel_in')
         expect(got == wanted, f'{name} listens to {got}, expected {wanted}.', 'others-stay')
         more = {*there[name]['topics']} - {there[name]['publishes'], got} - OF_EACH_NODE
+        expect(
+            '/clock' not in more,
+            f'{name} has the topic /clock: somebody has set use_sim_time to true. Leave it out; the governors live in '
+            "the machine's time.",
+            'others-stay',
+        )
         expect(
             not more,
             f'{name} has the topic {", ".join(sorted(more))}, which no governor has without your launch file. Remap '

@@ -6,6 +6,7 @@ import re
 _MODULES = 'launch', 'launch.actions', 'launch.substitutions', 'launch_ros.actions', 'launch_ros.substitutions'
 _HINTS = (
     ("launch configuration '.*' does not exist", 'Declare each argument before the action that needs its value.'),
+    ('Invalid node name', 'The name of a node is one word; a namespace is given by itself, as namespace=….'),
     ('too many values to unpack', 'Arguments and remappings are pairs: of a dictionary give its items().'),
     (
         r'Node\.__init__\(\) got an unexpected keyword argument',
@@ -33,7 +34,7 @@ def telling(log: str) -> str:
     quiet = 'process has died', 'InvalidFrontendLaunchFileError'
     lines = [line.strip() for line in log.splitlines() if line.strip() and not any(word in line for word in quiet)]
     errors = [line for line in lines if 'Error' in line or 'Exception' in line or '[ERROR]' in line]
-    last = (errors or lines or ['nothing'])[-1].removeprefix('- ')[:300]
+    last = (errors or lines or ['nothing'])[-1].removeprefix('- ')[:300].rstrip(':')
     hint = _hint(last)
     return f'{last}. {hint}' if hint else last
 
@@ -49,4 +50,14 @@ def _hint(line: str) -> str:
 def wrong_type(log: str) -> str:
     """For a message: the value with another type than the parameter, as the node has said it; '' if it has not."""
     found = re.search(r"set parameter '([^']+)' to '(.*?)' of type '(\w+)'", log)
-    return f' ROS reads {found[1]} as {found[2][:60]}, of the type {found[3]}.' if found else ''
+    if not found:
+        return ''
+    told = f' ROS reads {found[1]} as {found[2][:60]}, of the type {found[3]}.'
+    words = ' In YAML the words on, off, yes, no, true and false are truth values: in quotes they are texts.'
+    return told + words if found[3].lower().startswith('bool') else told
+
+
+def other_name(missing: str, package: str, file: str) -> str:
+    """For a message: which file there is, if the missing one is named in the folder of the package; '' if not."""
+    other = f'/share/{package}/' in missing and not missing.endswith(f'/{file}')
+    return f' In the installed package there is {file}: is that meant?' if other else ''

@@ -1,6 +1,7 @@
 """Parameter files with other values in them, and the values that a program got besides its file."""
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Container, Iterable, Iterator
 from typing import Any
 
 import yaml
@@ -32,10 +33,11 @@ def with_values(text: str, values: dict[str, Any]) -> str:
         return text
 
 
-def given_besides(starts: Iterable[Start], text: str) -> dict[str, Any]:
+def given_besides(starts: Iterable[Start], text: str, allowed: Container[str] = ()) -> dict[str, Any]:
     """The parameters that programs were started with besides the file with this text, whatever comes first or last.
 
-    Not among them is the simulated time. A launch file hands its own values over as another file, or as words `-p`.
+    Not among them are those that are `allowed`. A launch file hands its own values over as another file, or as words
+    `-p`.
     """
     file, found = _content(text), dict[str, Any]()
     for start in starts:
@@ -47,7 +49,7 @@ def given_besides(starts: Iterable[Start], text: str) -> dict[str, Any]:
             name, between, value = word.partition(':=')
             if option in _OPTIONS and between:
                 found[name.rpartition(':')[2]] = value
-    return {name: value for name, value in found.items() if name != 'use_sim_time'}
+    return {name: value for name, value in found.items() if name not in allowed}
 
 
 def why_unreadable(text: str) -> str:
@@ -63,6 +65,8 @@ def why_unreadable(text: str) -> str:
                 'files of ROS do not: write the values twice.'
             )
     content = _content(text)
+    if glued := next(_glued(content), ''):
+        return f'`{glued:.100}`: a space is missing behind the colon.'
     for name, block in content.items() if isinstance(content, dict) else ():
         if name == BLOCK:
             return f'`{BLOCK}` stands below the name of a node, two spaces further to the right.'
@@ -77,6 +81,16 @@ def why_unreadable(text: str) -> str:
 def shown(values: dict) -> str:
     """Parameters with their values, for messages."""
     return ', '.join(f'{name} = {value!r}' for name, value in values.items())
+
+
+def _glued(content: Any, depth: int = 0) -> Iterator[str]:
+    """The texts that stand where names and values should: `rate:20.0` is one word for YAML."""
+    if isinstance(content, str) and re.match(r'\S+:\S', content):
+        yield content.split()[0]
+    elif isinstance(content, dict) and depth < 10:
+        for key, value in content.items():
+            if key == BLOCK or not isinstance(value, str):
+                yield from _glued(str(key) if value is None else value, depth + 1)
 
 
 def _events(text: str) -> list:

@@ -1,5 +1,7 @@
 """Visible tests of exercise 8.10, start it: the whole package, built, launched and used."""
 
+import re
+
 import pytest
 
 from helpers.checks.chapter_08 import deliveries, launch_output, parameter_files
@@ -23,9 +25,12 @@ def story(learner) -> dict:
     missing = launch_output.missing_parameter_file(told['log'])
     expect(
         not missing,
-        f'The launch file names a parameter file that is not there: {missing}. The sources of the package are gone, '
-        'and the launch file is a copy in another folder: FindPackageShare finds the installed folder by the name of '
-        'the package.',
+        f'The launch file names a parameter file that is not there: {missing}.'
+        + (
+            launch_output.other_name(missing, 'delivery_robot', 'config/delivery.yaml')
+            or ' The sources of the package are gone, and the launch file is a copy in another folder: '
+            'FindPackageShare finds the installed folder by the name of the package.'
+        ),
         'robot',
     )
     refused = 'Valid options are' in told['log']
@@ -33,6 +38,13 @@ def story(learner) -> dict:
         not refused,
         f'Launched with scene:={told["scene"]}, your launch file ended: {told["last"]} The world says what a scene is: '
         'a name, or the path of a YAML file. Pass the value on.',
+        'world',
+    )
+    nowhere = re.search(r"there is no scene '(.*?)'", told['log'])
+    expect(
+        not nowhere,
+        f'Launched with scene:={told["scene"]}, the world got the scene {nowhere and nowhere[1]!r}. Pass the value of '
+        "the argument on: ('scene', LaunchConfiguration('scene')).",
         'world',
     )
     others = [node for node in told.get('nodes', ()) if node not in NODES]
