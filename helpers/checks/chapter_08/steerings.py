@@ -81,7 +81,10 @@ def told(got: float, wanted: float) -> str:
 
 def side_of(angle: float) -> str:
     """Where the goal is, for messages."""
-    return f'{math.degrees(abs(angle)):.0f}° to the {"left" if angle > 0 else "right"}'
+    if not angle:
+        return 'straight ahead'
+    degrees = math.degrees(abs(angle))
+    return f'{degrees:.{0 if degrees > 0.5 else 3}f}° to the {"left" if angle > 0 else "right"}'
 
 
 def judge_distance(learner) -> None:
@@ -157,7 +160,8 @@ def judge_speed(learner) -> None:
             expect(
                 got == pytest.approx(min(limit, distance), abs=1e-6),
                 f'{words(arguments)}: linear, in m/s, is {told(got, min(limit, distance))}. The distance is '
-                f'{distance:.6g} m, and max_linear is {limit:.3f}. It is the lesser of the two, whatever the angle.',
+                f'{distance:.6g} m, and max_linear is {limit:.3f}. The angle is {angle:.2f} rad: up to 0.5 rad, linear '
+                'is the lesser of the two.',
                 'linear',
             )
     for side in (1, -1):

@@ -224,11 +224,19 @@ def judge_age(lost: Lost) -> None:
     """The rules `old` and `again`."""
     place = lost.somewhere()
     lost.localizer.tell(*place)
+    lost.learner.run(0.1)
+    expect(
+        lost.where('place') is not None,
+        '0.1 s ago the place of odom in map and that of base_footprint in odom were told, and where() is None. These '
+        'are the frames that there are: map, odom, base_footprint.',
+        'place',
+    )
+    lost.localizer.tell(*place)
     lost.learner.run(0.45)
-    for again in ('', ', asked once more'):
+    for again in ('', ', asked once more,'):
         expect(
             lost.where('old') is not None,
-            f'The transforms are 0.45 s old, and where(){again}, is None. That is good enough.',
+            f'The transforms are 0.45 s old, and where(){again} is None. That is good enough.',
             'old',
         )
     _to_a_good_second(lost.learner)
