@@ -58,7 +58,7 @@ def test_limit(speed, distance):
         ''', new='(0.5, 0.5, nan, 0.0),                          # the sensor has failed',
            expect='that slows down backwards, too', breaks='backwards', also='max-speed'),
     Mutant('text_of_the_error', old='(ValueError):', new="(ValueError, match='^max_speed must not be negative$'):",
-           expect='ask for nothing that is not in the docstring', breaks='right-functions'),
+           expect='for nothing that is not in the docstring', breaks='right-functions'),
     Mutant('only_one_limit', edits=(
         ('(0.9, 0.5, inf, 0.5), (-0.9, 0.5, inf, -0.5), (0.0, 0.5, inf, 0.0),    # never faster, both ways', '(0.0, 0.5, inf, 0.0),'),
         (', (1.5, 2.0, 0.6, 1.0)]', ']')), expect='that do not keep max_speed', breaks='max-speed'),
@@ -112,5 +112,12 @@ def test_limit(speed, distance):
 
 
         @pytest.mark.parametrize('max_speed', [-0.1, -inf, nan])
-        """, expect='ask for nothing that is not in the docstring', breaks='right-functions'),
+        """, expect='for nothing that is not in the docstring', breaks='right-functions'),
+    Mutant('an_error_that_nobody_expects', old="@pytest.mark.parametrize('max_speed', [-0.1, -inf, nan])", new="""
+        def test_negative():
+            assert limit(0.1, -1.0, 1.0) == pytest.approx(0.0)
+
+
+        @pytest.mark.parametrize('max_speed', [-0.1, -inf, nan])
+        """, expect='for nothing that is not in the docstring', breaks='right-functions'),
 ]

@@ -5,7 +5,7 @@ import pytest
 from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import STEERING
 from helpers.checks.chapter_08.steerings import variant
-from helpers.checks.chapter_08.wrong_steerings import NAMED, NOTHINGS, ONCE, TURNED, angular, linear
+from helpers.checks.chapter_08.wrong_steerings import MIRRORED, NAMED, NOTHINGS, ONCE, TURNED, angular, linear
 
 pytestmark = pytest.mark.exercise('8.6')
 RIGHT = {
@@ -15,6 +15,9 @@ RIGHT = {
     ),
     'one that asks for the distance with **': variant(
         way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx ** 2 + dy ** 2) ** 0.5\n'
+    ),
+    'one that computes the angle from the goal to the robot': variant(
+        way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx * dx + dy * dy) ** 0.5\n', angle=MIRRORED
     ),
     'one that returns a named tuple': NAMED,
     'one that turns the world instead of the robot': variant(angle=TURNED),

@@ -94,4 +94,11 @@ def test_straight_ahead():
         found = steer(0.0, 1.0, 0.0, distance, 1.0, 0.7, 1.0)
         assert found[0] == pytest.approx(distance) and found[1] <= linear + 1e-6 and found[2] == pytest.approx(0.0)
         """, expect='that slows down too early', breaks='speed'),
+    Mutant('the_sign_of_a_zero', old='def test_at_the_goal():', new="""
+        def test_no_turn():
+            assert math.copysign(1.0, steer(0.0, 0.0, 0.0, 3.0, 0.0, 0.5, 1.0)[2]) == 1.0
+
+
+        def test_at_the_goal():
+        """, expect='A test of yours fails with a function', breaks='right-functions'),
 ]

@@ -3,6 +3,7 @@
 `planted` runs the tests with each program. Here it is said how many they noticed, by kind.
 """
 
+import re
 from dataclasses import dataclass, field
 
 from helpers.checks.chapter_08.planted import ENDED, OWN, Outcome, Subject, judge
@@ -72,6 +73,16 @@ class Planted:
             rule,
         )
 
+    def _advice(self, reason: str) -> str:
+        """What to do about tests that fail with a right program; `reason`: what pytest said, if it may be told."""
+        asked = f'sk for nothing that is not in the {self.subject.said}.'
+        if self.subject.ros:
+            return f'Wait for what must come, and a{asked}'
+        if re.search(r': ValueError\b', reason):
+            return f'If it is to be raised, the call stands within `with pytest.raises(ValueError):`. A{asked}'
+        compared = ' == ' in reason and '±' not in reason and 'approx(' not in reason
+        return f'Compare computed numbers with pytest.approx, and a{asked}' if compared or not reason else f'A{asked}'
+
     def _right(self, outcomes: dict[str, Outcome]) -> None:
         """Fail unless the tests pass with each right program."""
         what, said = self.subject.what, self.subject.said
@@ -91,11 +102,7 @@ class Planted:
                 + (missing or f'Is the {what} wrong, or the test?'),
                 self.rule,
             )
-            why = missing or (
-                'Wait for what must come, and ask for nothing that is not in the specification.'
-                if self.subject.ros
-                else f'Compare computed numbers with pytest.approx, and ask for nothing that is not in the {said}.'
-            )
+            why = missing or self._advice(outcome.reason if self.told else '')
             expect(
                 outcome.status == 0,
                 f'A test of yours fails with a {what} that does what its {said} says ({name}).{saw} {why}',

@@ -23,7 +23,7 @@ from typing import Any
 from ament_index_python import get_packages_with_prefixes
 
 from helpers.kernel import domains
-from helpers.runner import disguise, expect, imports
+from helpers.runner import disguise, expect, explanations, imports
 from helpers.runner.functions import Served, stub
 from helpers.runner.load import busy
 from helpers.runner.workspaces import package
@@ -102,7 +102,9 @@ class Outcome:
 
     @property
     def missing_name(self) -> str:
-        """A sentence on a name that the learner's tests use and nothing defines; '' if none is missing."""
+        """A sentence on a name that the learner's tests use and nothing defines, or on a place that is none; or ''."""
+        if re.search(r'conftest\.py:\d+: ValueError: .*values to unpack \(expected 3', self.output):
+            return 'A place has three numbers, (x, y, yaw), or it is None.'
         return _missing_name(self.reason)
 
 
@@ -279,6 +281,8 @@ def _missing_name(said: str) -> str:
             f'Nothing in your tests defines `{found[1]}`. An import is missing, or it is a fixture: then it is a '
             'parameter of the test function.'
         )
+    if found := re.search(r"AttributeError: ((?:type object )?'\w+' (?:object )?has no attribute '\w+')", said):
+        return explanations.explain('AttributeError', found[1])
     return ''
 
 

@@ -8,6 +8,7 @@ NOTHINGS = {'that returns nothing': variant(result=NOTHING)}
 TURNED = (
     '    from math import cos, sin\n    angle = atan2(dy * cos(yaw) - dx * sin(yaw), dx * cos(yaw) + dy * sin(yaw))\n'
 )
+MIRRORED = '    angle = -remainder(yaw - atan2(dy, dx), tau)\n'
 # Right as long as the yaw is from -π to π.
 ONCE = """\
     angle = atan2(dy, dx) - yaw
@@ -31,6 +32,7 @@ RIGHT = {
     ),
     'one that turns the world instead of the robot': variant(angle=TURNED),
     'one that returns a named tuple, and an int for each whole number': NAMED,
+    'one that returns -0.0 straight ahead': variant(angle=MIRRORED),
 }
 
 
