@@ -132,8 +132,9 @@ class Robot:
             self._add_moments(inertial, name, solid(*shape, mass), faults, small)
         self.expected += [('falls', name, cause, '') for cause in ('collision', 'inertial') if cause in faults]
         parts = list(link)
-        while len(parts) > 1 and parts[0].tag == 'visual' and faults:  # nothing says that it comes first
+        if faults:  # nothing says that the visual comes first
             random.shuffle(parts)
+            parts.sort(key=lambda part: part.tag == 'visual')
         link[:] = parts
 
     def _add_mass(self, inertial, name: str, mass: float, faults, small: bool) -> None:
