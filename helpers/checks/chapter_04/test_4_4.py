@@ -249,7 +249,7 @@ def check_default(learner, lock, enter, leave):
         'expected 2: without an argument `capacity` is 2.',
         'capacity',
     )
-    for _ in range(4):
+    for _ in range(places):
         leave.send()
         learner.run(0.1)
     lock.requests.clear()
