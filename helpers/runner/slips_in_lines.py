@@ -34,7 +34,7 @@ def explain(kind: str, text: str, lines: Sequence[str], answer: str) -> str:
         if found[1] in ('builtin_function_or_method', 'function', 'method'):
             return _without_parentheses(found[2], line)
     if kind == 'KeyError' and (found := re.match(r"'([A-Z]\w*)'$", text)):
-        variables = re.search(rf"((?:\w+\.)*environ)\[[\"']{found[1]}[\"']\]", line)
+        variables = re.search(rf"(\b(?:os\.)?environ)\[[\"']{found[1]}[\"']\]", line)
         return f"It is not set. {variables[1]}.get('{found[1]}') gives None then, and no error." if variables else ''
     if kind == 'TypeError' and (found := re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but', text)):
         if found[1] != 'object' and re.search(r"""\bsuper\(\)\.__init__\(\s*f?["']""", line):

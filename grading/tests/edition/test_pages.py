@@ -77,6 +77,7 @@ def test_a_file_has_the_colours_of_its_language(built, tmp_path, file):  # noqa:
     _, page = pages.write(built, tmp_path / 'pages', say=lambda line: None)
     shown = page.read_text().partition('writefile')[2].partition('</pre>')[0]
     assert (f'<span class="{kind}">{word}</span>' in shown if kind else word in shown) and 'class="err"' not in shown
+    assert not kind or f'.highlight .{kind} {{' in page.read_text(), 'no rule gives it a colour'
 
 
 def test_the_parts_of_a_cell_with_files_have_their_own_colours():
