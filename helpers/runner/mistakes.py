@@ -395,6 +395,9 @@ def _watch_actions(seen: Watch) -> None:
             if callable(given.get(name)):
                 given[name] = _answering(given[name], name, kind, seen)
         given.setdefault('cancel_callback', _refusing(seen))
+        if isinstance(given.get('result_timeout'), int | float):
+            # rcl lets a result go only after its time. It would look again without end if time stood at this moment.
+            given['result_timeout'] += 1e-6
         bound = inspect.BoundArguments(signature, given)
         return create(*bound.args, **bound.kwargs)
 
