@@ -88,8 +88,7 @@ def draw_steps(random, max_gap):
 
     A gap comes after the first stamp. An older scan comes in the same second as the newest, and max_gap follows; two
     gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another one is very late,
-    follows a gap of a day directly, and then comes a gap. The last
-    but one has the stamp 0 again.
+    follows a gap of a day directly, and then comes a gap. The last but one has the stamp 0 again.
     """
     late = -max_gap - random.choice([0.25, 0.5, 1.5])
     fresh = [0, max_gap + 0.125, max_gap, -0.125, max_gap]

@@ -1,7 +1,5 @@
 """What the learner is told of a test of theirs that fails with a right program (exercises 8.4, 8.6 and 8.11)."""
 
-from random import Random
-
 import pytest
 
 from helpers.checks.chapter_08 import planted
@@ -74,7 +72,7 @@ class Learner:
     """What `judge` asks of the fixture `learner`."""
 
     def __init__(self):
-        self.random, self.server = Random(7), self
+        self.server = self
         self.workspaces = {}
 
     def text(self, name):
