@@ -140,7 +140,7 @@ def judge(
         if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
             collections = [collect(share) for share in shares]
         else:
-            with ThreadPoolExecutor(max(lanes, options.side_by_side)) as pool:
+            with ThreadPoolExecutor(lanes if len(running) > 1 else len(shares)) as pool:
                 try:
                     collections = list(pool.map(collect, shares))
                 except BaseException:  # Ctrl+C: the pool waits for its threads
@@ -206,7 +206,9 @@ def _parts(exercise: Exercise, options: Options) -> list[_Share]:
     if count > 1:
         file = manifest.visible_tests(options.visible, exercise.id)
         text = file.read_text(encoding='utf-8') if file.is_file() else ''
-        count = max(1, min(count, len(re.findall('^def test_', text, re.MULTILINE))))
+        tests = len(re.findall('^def test_', text, re.MULTILINE))
+        # One more than there should be rather than one that begins its second test when the others have ended.
+        count = max(1, tests if tests <= count + 1 else count)
     return [_Share([exercise], first, count) for first in range(count)]
 
 

@@ -14,14 +14,14 @@ MANY = 65.0  # s: more texts than anybody writes down beforehand, and than fit i
 
 def check_unheard(learner, quarters: int) -> None:
     """A beacon without a namespace counts on while nobody listens, for so many periods; and then for long."""
-    learner.run(learner.random.uniform(1.0, 9.0))  # its count does not depend on the clock
+    learner.run(learner.random.uniform(1.0, 9.0), step=9.0)  # its count does not depend on the clock
     with waiting('at-once'):
         learner.start('Beacon')
     check_awake(learner)  # here, too: who waits for a listener has none
     check_topic(learner, 'publisher', '', 'beacon', 'topic')
     check_callbacks_do_not_sleep(learner)
     with about('texts'):
-        learner.run(quarters / 4)
+        learner.run(quarters / 4, step=1.0)
     heard = learner.listen('/beacon', String)
     learner.settle()
     with about('texts'):
