@@ -85,7 +85,7 @@ def sentence(error: BaseException, cell: str = '') -> str:
     if _is_half_imported(error):
         return HALF_IMPORTED
     if isinstance(error, NameError) and error.name:
-        return _on_name(error.name)
+        return _on_name(error.name, error)
     if not isinstance(error, Exception):
         return ''
     if isinstance(error, AttributeError) and error.name:
@@ -126,9 +126,9 @@ def _first_line(cell: NotebookCell | journal.ExecutedCell) -> str:
     return cell.source.strip().partition('\n')[0]
 
 
-def _on_name(name: str) -> str:
+def _on_name(name: str, error: NameError) -> str:
     """Where a missing name is defined, if that is in a cell above which has not run, or from where it is imported, or
-    what name is meant.
+    what is meant: another name, or an attribute of the class.
     """
     from helpers.runner import imports, similar
 
@@ -145,12 +145,28 @@ def _on_name(name: str) -> str:
     import helpers
 
     here = [one for cell in journal.cells for one in definitions.names_in(cell.source)]
+    if said := _slip(name, error):
+        return said
     if advice := imports.advice(name):
         return advice
     if name in dir(helpers):
         return f'`{name}` belongs to the course. Write: from helpers import {name}'
     near = similar.nearest(name, here, 0.8) or imports.nearest(name)
     return f'Nothing is called `{name}` here. Is `{near}` meant?' if near else ''
+
+
+def _slip(name: str, error: NameError) -> str:
+    """What the text around the line that lacks a name shows: a missing `self.`, a class in small letters; else ''."""
+    try:
+        from helpers.runner import slips
+    except ImportError:  # no ROS can be loaded here
+        return ''
+    frames = [
+        (linecache.getlines(frame.f_code.co_filename), line) for frame, line in traceback.walk_tb(error.__traceback__)
+    ]
+    lines, number = frames[-1] if frames else ([], 0)
+    text = ''.join(lines)
+    return slips.class_meant(name, text) or slips.missing_self(name, text, lines[number - 1] if lines else '')
 
 
 def _in_a_cell_that_ran(name: str) -> str:

@@ -85,4 +85,21 @@ def test_other_errors_are_explained_as_by_the_check(kernel):
     kernel.ok('def tick():\n    String().dat = 1\n\n\ntimer = node.create_timer(0.01, tick)')
     late = kernel.run('with helpers.spinning(node):\n    helpers.wait_for(lambda: False)')
     assert late.error == 'CallbackError' and '│ The message has no field `dat`; there is `data`.' in late.stderr
+    text = 'class Blinker(Node):\n    def __init__(self):\n        super().__init__("b")\n        '
+    kernel.ok('from rclpy.node import Node')
+    for line, said in (
+        ('get_logger().info("on")', '`get_logger` is a method of Node: is `self.` missing before it?'),
+        ('self.lit = 1\n        print(lit)', 'Your class has `self.lit`: is `self.` missing before it?'),
+        ('create_timer(1.0, print)', '`create_timer` is a method of Node: is `self.` missing before it?'),
+    ):
+        found = kernel.run(f'{text}{line}\n\n\nBlinker()')
+        assert (found.error, found.stdout) == ('NameError', f'{said}\n')
+    small = kernel.run('print(string(data=""))')
+    assert small.stdout == 'Is `String` meant? The name of a class begins with a capital letter.\n'
+    kernel.ok(
+        'class Lamp:\n    def __init__(self):\n        self.lit = False\n\n    def tick(self):\n        print(lit)'
+    )
+    kernel.ok('lamp = Lamp()\nnode = rclpy.create_node("m")\ntimer = node.create_timer(0.01, lamp.tick)')
+    late = kernel.run('with helpers.spinning(node):\n    helpers.wait_for(lambda: False)')
+    assert '│ Your class has `self.lit`: is `self.` missing before it?' in late.stderr
     assert kernel.run('import nobody_has_this').stdout == kernel.run('[].nothing').stdout == ''
