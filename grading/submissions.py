@@ -13,7 +13,7 @@ inside a zip is the learner's own word: it counts only where no other submission
 
 import re
 import zipfile
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -36,6 +36,8 @@ _CHAPTER = re.compile(r'\d\d_.*\.ipynb')  # a file name; downloads add words suc
 _MOODLE = re.compile(r'(?P<who>.+_\d+)_assignsubmission_(file|onlinetext)(_(?P<file>.*))?')
 _CANVAS = re.compile(r'(?P<name>[^_]+)_(LATE_)?(?P<number>\d+)_\d+_(?P<file>.+)')
 _DEEPEST = 4  # folders below the one that was given
+MOST = 30  # files and folders of one learner's that are read: the newest ones of a folder
+MOST_TOO_MUCH = 2  # and so many of them may be such that take too much time or memory
 
 
 def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submission]:
@@ -47,17 +49,19 @@ def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submi
     """
     found: dict[Path, Submission] = {}
     skipped, why = [] if skipped is None else skipped, []
+    readings = _Readings()
     for path in paths:
         if not path.exists() and not path.is_symlink():
             raise Unusable(f'{path} does not exist')
         try:
-            for submission in _at(path, skipped):
+            for submission in _at(path, skipped, readings):
                 found.setdefault(submission.source.resolve(), submission)
         except (Unusable, OSError) as error:
             skipped[:] = [one for one in skipped if one != path] + [path]
             why.append(error if isinstance(error, Unusable) else Unusable(f'{path} cannot be read: {error.strerror}'))
     if why and not found:
         raise why[0]
+    readings.note(found.values())
     _name(list(found.values()))
     _note_copies(list(found.values()))
     learners: dict[str, list[Submission]] = defaultdict(list)
@@ -66,11 +70,11 @@ def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submi
     return [_latest(learners[learner]) for learner in sorted(learners)]
 
 
-def _at(path: Path, skipped: list[Path]) -> list[Submission]:
+def _at(path: Path, skipped: list[Path], readings: '_Readings') -> list[Submission]:
     if path.is_file():
         if path.suffix.lower() == '.zip' and _of_a_class(path):
             raise Unusable(f'{path} holds the submissions of several learners: unpack it, and give the folder')
-        return [_read(path)]
+        return readings.read(path)
     chapters = [child for child in _children(path) if child.is_file() and _CHAPTER.match(child.name)]
     archives = [child for child in _children(path) if child.is_file() and child.suffix.lower() == '.zip']
     if chapters and archives and not _owner(path):
@@ -78,7 +82,7 @@ def _at(path: Path, skipped: list[Path]) -> list[Submission]:
             f"{path} holds both {chapters[0].name}, as one learner's folder does, and {archives[0].name}: "
             "put each learner's notebooks into a folder of their own"
         )
-    found = [_read(path)] if chapters and not archives else list(_below(path, _owner(path), skipped, 0))
+    found = readings.read(path) if chapters and not archives else list(_below(path, _owner(path), skipped, 0, readings))
     if not found:
         raise Unusable(f'{path} holds no submission: expected notebooks, or zip files and folders of learners')
     return found
@@ -102,18 +106,20 @@ def of_a_class(path: Path):
     return sum(bool(_MOODLE.fullmatch(name) or _CANVAS.fullmatch(name)) for name in names) > 1, ()
 
 
-def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterator[Submission]:
+def _below(folder: Path, owner: str, skipped: list[Path], depth: int, readings: '_Readings') -> Iterator[Submission]:
     """The submissions in a folder: all are `owner`'s, if there is one."""
     loose: dict[str, list[Path]] = defaultdict(list)  # notebooks of one learner that lie beside those of others
     empty = True
-    for child in _children(folder):
-        mine = owner or _owner(child)
+    mine_of = {child: owner or _owner(child) for child in _children(folder)}
+    # Of one learner's not all may be read: the newest ones are.
+    for child in sorted(mine_of, key=lambda one: changed(one) if mine_of[one] else '', reverse=True):
+        mine = mine_of[child]
         if child.is_symlink() and (owner or depth):
             continue  # what a learner made is not followed
         try:
             if is_notebook(child.name) and mine and not child.is_dir():
                 loose[mine].append(child)
-            elif (found := _of_child(child, mine, owner, skipped, depth)) is not None:
+            elif (found := _of_child(child, mine, owner, skipped, depth, readings)) is not None:
                 yield from found
             else:
                 skipped.append(child)
@@ -123,25 +129,27 @@ def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterato
         empty = False
     for mine, notebooks in loose.items():
         try:
-            yield _together(mine, notebooks)
+            yield from _together(mine, notebooks, readings)
         except (Unusable, OSError):
             yield _unreadable(notebooks[0], mine)
     if empty and not owner:
         skipped.append(folder)
 
 
-def _of_child(child: Path, mine: str, owner: str, skipped: list[Path], depth: int) -> list[Submission] | None:
+def _of_child(
+    child: Path, mine: str, owner: str, skipped: list[Path], depth: int, readings: '_Readings'
+) -> list[Submission] | None:
     """The submissions in a file or folder, `mine` if that is somebody's; None if it is nothing that can hold any."""
     if child.is_dir():
         work = next((place for place in (child, child / 'notebooks') if _has_notebooks(place)), None)
         if work is not None and not (mine and _archives(child)):
-            return [_read(work, mine or own_name(child))]
-        inner = list(_below(child, mine, skipped, depth + 1)) if depth < _DEEPEST else []
+            return readings.read(work, mine or own_name(child))
+        inner = list(_below(child, mine, skipped, depth + 1, readings)) if depth < _DEEPEST else []
         if mine and not owner and not inner and depth < _DEEPEST:
-            return [_read(child, mine)]  # a learner's folder, in which nothing can be used
+            return readings.read(child, mine)  # a learner's folder, in which nothing can be used
         return inner
     if child.suffix.lower() == '.zip' or is_notebook(child.name):
-        return [_read(child, mine)]
+        return readings.read(child, mine)
     return None
 
 
@@ -180,21 +188,61 @@ def _owner(path: Path) -> str:
     return ''
 
 
-def _read(path: Path, owner: str = '') -> Submission:
-    submission = read(path)
-    owner = owner or _owner(path)
-    if owner:
-        submission.learner, submission.own, submission.platform = identity(owner), owner, True
-    return submission
+class _Readings:
+    """Reads what is found, but of one learner's only so much that nobody else has to wait for long."""
+
+    def __init__(self) -> None:
+        self._read: Counter[str] = Counter()  # by the name of the owner
+        self._too_much: Counter[str] = Counter()
+        self._left: Counter[str] = Counter()
+
+    def read(self, path: Path, owner: str = '') -> list[Submission]:
+        """What is at this path, `owner`'s if there is one; nothing if so much of theirs was read already."""
+        owner = owner or _owner(path)
+        if not self.may_read(owner):
+            return []
+        submission = self.counted(owner, path)
+        if owner:
+            submission.learner, submission.own, submission.platform = identity(owner), owner, True
+        return [submission]
+
+    def may_read(self, owner: str) -> bool:
+        """Whether one more of this learner's is read; it counts then."""
+        if owner and (self._read[owner] >= MOST or self._too_much[owner] >= MOST_TOO_MUCH):
+            self._left[owner] += 1
+            return False
+        self._read[owner] += 1
+        return True
+
+    def counted(self, owner: str, path: Path) -> Submission:
+        """Read one of this learner's."""
+        submission = read(path)
+        self._too_much[owner] += submission.problem == reader.TOO_MUCH
+        return submission
+
+    def note(self, found: Iterable[Submission]) -> None:
+        """Note on submissions that others of the same learner were not read."""
+        for submission in found:
+            if left := self._left[submission.own]:
+                submission.notes.append(
+                    f'{left} more that {submission.own} handed in were not read: there are more than {MOST}, or '
+                    'reading some of them took too much time or memory'
+                )
 
 
-def _together(owner: str, notebooks: list[Path]) -> Submission:
+def _together(owner: str, notebooks: list[Path], readings: _Readings) -> list[Submission]:
     """One submission of notebooks that the platform delivered one by one. One that is wrong concerns itself only."""
     if len(notebooks) == 1:
-        return _read(notebooks[0], owner)
-    parts = [read(path) for path in notebooks]
-    made = Submission(identity(owner), notebooks[0], own=owner, handed_in=max(part.handed_in for part in parts))
-    for path, part in zip(notebooks, parts, strict=True):
+        return readings.read(notebooks[0], owner)
+    parts = {path: readings.counted(owner, path) for path in notebooks if readings.may_read(owner)}
+    if not parts:
+        return []
+    notebooks = sorted(parts)
+    made = Submission(
+        identity(owner), notebooks[0], own=owner, handed_in=max(part.handed_in for part in parts.values())
+    )
+    for path in notebooks:
+        part = parts[path]
         match = _CANVAS.fullmatch(path.name) or _MOODLE.fullmatch(path.name)
         name = match and match['file'] or path.name
         for why in filter(None, (part.problem, *part.unusable.values())):
@@ -202,7 +250,7 @@ def _together(owner: str, notebooks: list[Path]) -> Submission:
         for data in part.files.values():
             if made.files.setdefault(name, data) != data:
                 made.unusable[name] = f'There are two notebooks called {name}: hand in one.'
-    return made
+    return [made]
 
 
 def _name(found: list[Submission]) -> None:

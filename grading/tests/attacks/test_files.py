@@ -7,10 +7,14 @@ import io
 import json
 import os
 import struct
+import time
 import zipfile
+from pathlib import Path
 
 import pytest
 
+from grading import reader, submissions
+from grading.submission import Submission
 from grading.tests.attacks import arena
 from helpers.tests import small
 
@@ -318,3 +322,50 @@ def test_around(batch):
             assert '<script' not in path.read_text(encoding='utf-8').lower()
     for line in (batch.output / 'gradebook.csv').read_text(encoding='utf-8').splitlines():
         assert not line.startswith(('=', '+', '-', '@'))
+
+
+def test_many_small_members_beside_large_ones():
+    """What a reader's process sends back is taken apart without a copy of all the rest for each member."""
+    sizes = [0] * 195 + [8 * 2**20] * 5
+    data = json.dumps({'value': None, 'sizes': sizes}).encode() + b'\n' + bytes(sum(sizes))
+    begin = time.process_time()
+    _, blobs = reader._unpacked(data)
+    assert time.process_time() - begin < 2
+    assert [len(blob) for blob in blobs] == sizes
+
+
+# By form, the names of many files that all are one learner's; the last one is the newest.
+MANY = {
+    'repository': [f'task-submissions/task-eve/{number}.zip' for number in range(100)],
+    'repository-deep': [f'task-submissions/task-eve/{number % 7}/{number}.zip' for number in range(100)],
+    'moodle': [f'eve_1_assignsubmission_file/{number}.zip' for number in range(100)],
+    'canvas': [f'eve_7_{number}_x.zip' for number in range(100)],
+    'canvas-notebooks': [f'eve_7_{number}_{NOTEBOOK}' for number in range(100)],
+}
+
+
+@pytest.mark.parametrize('much', [False, True], ids=['many', 'too-much'])
+@pytest.mark.parametrize('form', MANY)
+def test_one_learner_holds_nobody_up(tmp_path, monkeypatch, form, much):
+    """Who hands in very many files, or many that nobody can read in time, has few of them read: the newest ones."""
+    for number, name in enumerate(MANY[form]):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(b'')
+        os.utime(path, (1e9 + number, 1e9 + number))
+    (tmp_path / f'{arena.HONEST}.zip').write_bytes(archive((NOTEBOOK, arena.notebook(arena.SOLVED))))
+    asked = []
+
+    def read(path):
+        asked.append(path.name)
+        problem = reader.TOO_MUCH if much and path.stem != arena.HONEST else ''
+        return Submission('', path, problem=problem, own=path.stem, handed_in='2026-11-20T10:00:00Z')
+
+    monkeypatch.setattr(submissions, 'read', read)
+    found = submissions.find([tmp_path])
+    hostile = [name for name in asked if name != f'{arena.HONEST}.zip']
+    assert len(hostile) == (submissions.MOST_TOO_MUCH if much else submissions.MOST)
+    assert len(asked) == len(hostile) + 1
+    assert Path(MANY[form][-1]).name in hostile or form == 'repository-deep'
+    (eve,) = [one for one in found if one.own.startswith('eve')]
+    assert any('were not read' in note for note in eve.notes)
