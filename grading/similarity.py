@@ -32,7 +32,7 @@ from functools import cache
 from hashlib import blake2b
 from itertools import combinations
 
-from grading import reader
+from grading import idle_code, reader
 from helpers import paths
 from helpers.exercises import cell_python, definitions, packages, program
 from helpers.exercises.manifest import Exercise
@@ -115,6 +115,7 @@ class _Tokens:
 
     def __init__(self, tree: ast.Module):
         self.tokens: list[str] = []
+        idle_code.prune(tree)
         self._own, self._imported = set(_names(tree)), dict(_imported(tree))
         self._idle = _never_read(tree)
         self._node(tree)
@@ -181,6 +182,7 @@ class _Tokens:
         outer, begin = self._own, len(self.tokens)
         if (tree := cell_python.syntax_tree(text)) is not None:
             try:
+                idle_code.prune(tree)
                 self._own = outer | set(_names(tree))
                 self._node(tree)
                 return

@@ -78,6 +78,60 @@ def test_what_does_nothing_hides_no_copy(change):
     assert change(source) != source and pairs(source, change(source))
 
 
+IDLE = [
+    '[]',
+    'self',
+    '0 < 1',
+    'lambda: self.x()',
+    "f'{self}'",
+    'print(self)',
+    "self.get_logger().debug('')",
+    '_1 = []',
+    '_1 = self',
+    '_1, _2 = 1, (2, len([]))',
+    '_1: int = 0',
+    '_1: int',
+    '_1 = 0; _2 = _1; _2 += _1',
+    'self.unused = []',
+    'assert self is not None',
+    'if 0: self.x()',
+    'if not True or 1 > 2: self.x()',
+    'if self: pass',
+    'while False: self.x()',
+    'while True: break',
+    'for _1 in (): self.x()',
+    'for _1 in [1, 2]: pass',
+    'with suppress(OSError): pass',
+    'import os, sys as _1',
+    'global _1',
+    'del []',
+    'class _1: x = 1',
+    'if True: _1 = 0',
+]
+
+
+@pytest.mark.parametrize('idle', IDLE)
+def test_a_statement_that_does_nothing_hides_no_copy(idle):
+    source = answers()['3.6']['solution']
+    copy = STATEMENT.sub(lambda match: f'{match[1]}{idle}\n{match[1]}', source)
+    assert compile(copy, '3.6', 'exec') and copy.count(idle) > 5
+    assert pairs(source, copy)
+
+
+@pytest.mark.parametrize(
+    ('pattern', 'by'),
+    [
+        (r'^( +)(self\.count = 0)$', r'\1\2\n\1return' + r'\n\1self.x(1, 2).y(3)' * 9),
+        (r'^( +)(self\..*[^:,(])$', r'\1def unused():\n\1    self.x()\n\1\2'),
+    ],
+    ids=['behind-return', 'functions'],
+)
+def test_code_that_is_never_reached_hides_no_copy(pattern, by):
+    source = answers()['3.6']['solution']
+    copy = re.sub(pattern, by, source, flags=re.MULTILINE)
+    assert copy != source and compile(copy, '3.6', 'exec') and pairs(source, copy)
+
+
 def as_notebook(*cells: str) -> dict[str, bytes]:
     return {'03_nodes_and_topics.ipynb': small.notebook(*cells)}
 
