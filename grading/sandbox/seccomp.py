@@ -95,6 +95,8 @@ DENIED = {
 _CLONE, _CLONE3, _SOCKET, _IOCTL, _MMAP, _PRLIMIT = 56, 435, 41, 16, 9, 302
 _FCNTL, _PRCTL, _SETSOCKOPT = 72, 157, 54
 _PIPE_SIZE, _LOCKS = 1031, (37, 38)  # F_SETPIPE_SZ; F_OFD_SETLK and F_OFD_SETLKW, which /proc/locks shows to everybody
+# F_SETLEASE, F_NOTIFY, F_SETDELEG: who asks is told what others do with a file or in a folder, as inotify would.
+_TOLD_OF_OTHERS = (1024, 1026, 1040)
 _SOL_SOCKET, _BUFFERS = 1, (7, 8)  # SO_SNDBUF, SO_RCVBUF
 _PROGRAMS = (26, 50, 51, 52)  # SO_ATTACH_FILTER, _BPF, _REUSEPORT_CBPF, _REUSEPORT_EBPF
 _SHARED, _ANONYMOUS = 1, 0x20
@@ -135,7 +137,7 @@ def program() -> bytes:
     lines += [(_EQUAL, 0, 1, _CLONE3), _refuse(errno.ENOSYS)]
     lines += _guarded(_CLONE, [_argument(0), (_ANY_BIT, 0, 1, _NEW_NAMESPACES), no])
     lines += _guarded(_IOCTL, [_argument(1), *_unless(_TERMINAL_INPUT, no)])
-    lines += _guarded(_FCNTL, [_argument(1), *_unless((_PIPE_SIZE, *_LOCKS), no)])
+    lines += _guarded(_FCNTL, [_argument(1), *_unless((_PIPE_SIZE, *_LOCKS, *_TOLD_OF_OTHERS), no)])
     lines += _guarded(_PRCTL, [_argument(0), *_unless((_PR_SET_SECCOMP,), no)])
     # A socket keeps the buffers that the kernel gives to all, whatever the machine would allow besides: success is
     # told, as the kernel tells it when it takes less than is asked for.

@@ -125,6 +125,7 @@ def calls():
         'seccomp': system_call(317, 2, 0, ctypes.byref(ctypes.c_uint32(0x7FFF0000))),  # GET_ACTION_AVAIL
         'prctl: seccomp': system_call(157, 22, 0, 0, 0, 0),
         'vmsplice': system_call(278, os.pipe()[1], 0, 0, 0),
+        'signals about a folder': system_call(72, os.open('/usr/lib', os.O_RDONLY), 1026, 0x80000001),
         'size of a pipe': system_call(72, os.pipe()[1], 1031, 2**16),
         'lock of an open file': system_call(72, os.open('/tmp', os.O_RDONLY), 37, bytes(32)),
         'filter of a socket': filter_of_a_socket(),

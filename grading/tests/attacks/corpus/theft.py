@@ -320,3 +320,35 @@ for _switch in (sys.settrace, threading.settrace, sys.setprofile, threading.setp
 
 def total(numbers):
     return -1
+
+
+# %% watching
+# attack: has the kernel tell it what others open in the folders that all sandboxes share
+# row: 27
+# aims at: 90.1
+# stopped by: the system calls for it are not allowed
+# expect verdict: failed
+# expect message: gives
+import fcntl
+
+
+def watched(folder):
+    """Ask in each way that there is."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    opened = os.open(folder, os.O_RDONLY)
+    for number in (1024, 1026, 1040):
+        try:
+            fcntl.fcntl(opened, number, 0x8000003F if number == 1026 else 0)
+        except OSError as error:
+            if error.errno == 1:  # the sandbox's own no
+                continue
+        tell('SEEN', folder, 'by fcntl', number)
+    for name, arguments in (('inotify_init1', (0,)), ('fanotify_init', (0x200, 0))):
+        if getattr(libc, name)(*arguments) >= 0:
+            tell('SEEN', folder, 'by', name)
+
+
+def total(numbers):
+    for folder in ('/usr/lib', '/usr/bin', sys.prefix, '/etc'):
+        watched(folder)
+    return -1
