@@ -259,6 +259,7 @@ def _read_zip(file: Path | io.BytesIO, submission: Submission, outer: bool = Tru
             if len(members) > MAX_MEMBERS:
                 raise InvalidSubmission(f'The zip has {len(members)} members, more than {MAX_MEMBERS}.')
             for member in members:
+                member.filename = member.filename.replace('\\', '/')  # as some programs on Windows pack it again
                 _read_member(archive, member, submission)
             inner = [one for one in members if one.filename.lower().endswith('.zip') and not _aside(one.filename)]
             nothing_here = not (submission.files or submission.unusable)

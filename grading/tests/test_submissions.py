@@ -54,6 +54,19 @@ def test_the_three_forms(tmp_path):
     assert [found.learner for found in submissions.find(paths)] == ['ada', 'bob', 'eve']
 
 
+def test_a_zip_that_windows_has_packed_again(tmp_path):
+    """Some programs write backslashes between the names of folders."""
+    path = zipped(
+        tmp_path / 'x.zip',
+        (f'work\\notebooks\\{small.NOTEBOOK}', small.solved()),
+        ('work\\notebooks\\my_ws\\src\\patrol\\setup.py', b'pass'),
+        ('work\\__MACOSX\\x.ipynb', b'{}'),
+        ('submission.json', LABEL),
+    )
+    (found,) = submissions.find([path])
+    assert list(found.files) == [small.NOTEBOOK, 'my_ws/src/patrol/setup.py'] and found.learner == 'ada'
+
+
 def test_capital_letters_at_the_end_of_a_name(tmp_path):
     """Some systems write them."""
     zipped(tmp_path / 'ADA.ZIP', (small.NOTEBOOK.upper(), small.solved()))
