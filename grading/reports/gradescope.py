@@ -78,8 +78,8 @@ def _entries(exercise: ExerciseResult, hidden: str) -> list[dict]:
         (sum(test.weight for test in public if test.passed or every) / weight * exercise.points)
         for every in (True, False)
     )
-    share, reached = round(share, 2), round(reached, 2)
     known = exercise.score is not None
+    share, reached = round(share, 2), min(round(reached, 2), exercise.score or 0.0)  # which may be less: `given`
     return [
         _entry(exercise, public, ' (public tests)', share, reached if known else None, 'visible'),
         _entry(

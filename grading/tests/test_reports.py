@@ -358,6 +358,13 @@ def test_gradescope_adds_up(made):
         assert sum(entry['score'] for entry in data['tests']) == pytest.approx(made.earned)
 
 
+def test_gradescope_gives_nothing_for_what_was_given():
+    first = [test('passed', given=True), test('failed', number=1), test('failed', True, 2)]
+    data = json.loads(gradescope.dumps(record(first=first), 'visible'))
+    assert [entry['score'] for entry in data['tests']][:2] == [0, 0]
+    assert results.AS_GIVEN.partition('.')[0] in data['tests'][0]['output']
+
+
 def test_gradescope_keeps_what_is_hidden():
     first = [test('passed', message=''), test('failed', True, 1, expected=SECRET, message='It hides.')]
     data = json.loads(gradescope.dumps(record(first=first)))

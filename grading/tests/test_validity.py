@@ -19,7 +19,8 @@ from grading import grade, reference, trial, variants
 from grading.authoring import chapter as chapters
 from grading.submissions import Submission
 from helpers import paths
-from helpers.exercises import manifest, notebooks, program
+from helpers.exercises import file_answers, manifest, notebooks, program
+from helpers.runner import verdicts
 
 pytestmark = [pytest.mark.timeout(600), pytest.mark.early]
 ALL_TESTS = bool(os.environ.get('COURSE_ALL_TESTS'))
@@ -164,6 +165,40 @@ def test_who_does_nothing_gets_nothing(number, given):
         identity: [test.test for test in result.tests if test.passed]
         for identity, result in judge(number, cells, set(idle)).items()
         if result.score != 0
+    }
+    assert not passed
+
+
+# By the end of a file's name, a line that changes the file and nothing that matters.
+HARMLESS = {'.py': 'UNUSED = 1', '.msg': 'bool unused', '.yaml': 'unused: {ros__parameters: {unused: 1}}'}
+
+
+def _touched(source):
+    """A cell as it was given, with something in it that nobody needs: it counts as attempted."""
+    lines = []
+    for line in source.split('\n'):
+        lines.append(line)
+        if line.startswith(file_answers.MAGIC):
+            lines += [more for ending, more in HARMLESS.items() if line.endswith(ending)]
+    return '\n'.join(lines if file_answers.MAGIC in source else [*lines, HARMLESS['.py']])
+
+
+@pytest.mark.one_of(4)
+@EACH_CHAPTER
+def test_who_changes_nothing_that_matters_gets_nothing(number):
+    """A test that the given cell passes, too, has the mark `given`."""
+    path = paths.NOTEBOOKS / f'{CHAPTERS[number].stem}.ipynb'
+    mine = {identity for identity in some_exercises(number) if not EXERCISES[identity].folder}
+    cells = [
+        notebooks.NotebookCell(_touched(cell.source), cell.number, cell.id)
+        if program.exercise_id(cell) in mine
+        else cell
+        for cell in notebooks.parse(path.read_bytes(), path.name)
+    ]
+    passed = {
+        identity: [test.test for test in result.tests if test.passed and not test.given]
+        for identity, result in judge(number, cells, mine).items()
+        if result.score != 0 or result.verdict == verdicts.INVALID_SUBMISSION
     }
     assert not passed
 

@@ -59,6 +59,7 @@ class Plugin:
 
     def pytest_configure(self, config):
         config.addinivalue_line('markers', 'exercise(id): the exercise that a test judges')
+        config.addinivalue_line('markers', 'given: the cell passes the test as it was given, see results.TestResult')
         config.addinivalue_line('markers', 'limits(name=value): other bounds for the program, see launch.Limits')
         config.addinivalue_line('markers', 'not_looked_at(rule, why): a rule that no visible test can see')
         config.addinivalue_line('markers', 'may_take(seconds): of wall time, if a right program needs more than others')
@@ -84,6 +85,7 @@ class Plugin:
                     'path': str(item.path),
                     'expected': inspect.cleandoc(item.function.__doc__ or ''),
                     'rules': rules(item),
+                    'given': item.get_closest_marker('given') is not None,
                     'unseen': {
                         marker.kwargs['rule']: marker.kwargs['why'] for marker in item.iter_markers('not_looked_at')
                     },

@@ -6,7 +6,7 @@ that it is never mistaken for a learner's zero.
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 
 from helpers.exercises.manifest import Exercise
 from helpers.runner import verdicts
@@ -35,6 +35,7 @@ class TestResult:
     rule: str = ''  # the one that is broken, where the test knows it
     so_far: list[str] = field(default_factory=list)  # rules that nothing had broken before the test failed
     hint: bool = False  # whether the rest of `expected`, a general hint, fits beside the message
+    given: bool = False  # whether the cell passes it as it was given: it counts only beside another one that passes
 
     @property
     def passed(self) -> bool:
@@ -42,6 +43,9 @@ class TestResult:
 
 
 KEPT, BROKEN, NOT_LOOKED_AT = 'kept', 'broken', 'not_looked_at'
+AS_GIVEN = (
+    'What passed was right before you began. It counts as soon as something passes that was not: see the other tests.'
+)
 SO_FAR = 'nothing wrong so far'  # why a rule is not looked at: only a part of its test has run, and found no fault
 
 
@@ -111,6 +115,8 @@ _ORDER = (
 def scored(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str] | None = None) -> ExerciseResult:
     """Score an exercise: points times passed weight over total weight, rounded to two decimals.
 
+    Who passes only what the cell passes as it was given has done nothing, and gets nothing.
+
     `unseen`: why no visible test looks at a rule, by its name.
     """
 
@@ -136,8 +142,10 @@ def scored(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str
     if not sound or any(test.verdict == verdicts.GRADER_ERROR for test in tests):
         return result(verdicts.GRADER_ERROR, None)
     verdict = next(kind for kind in _ORDER if any(test.verdict == kind for test in tests))
-    share = sum(test.weight for test in tests if test.passed) / sum(weights)
-    return result(verdict, round(exercise.points * share, 2))
+    passed = [test for test in tests if test.passed]
+    if passed and all(test.given for test in passed):
+        return replace(result(verdict, 0.0), message=AS_GIVEN)
+    return result(verdict, round(exercise.points * sum(test.weight for test in passed) / sum(weights), 2))
 
 
 def _rules(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str]) -> list[RuleResult]:

@@ -150,7 +150,8 @@ def judge(
         mine = [one for one in collections if exercise in one.share.exercises]
         unseen = {rule: why for one in mine for rule, why in one.unseen[exercise.id].items()}
         found = results.scored(exercise, _in_order([one.of(exercise.id) for one in mine]), unseen)
-        found.message = clean('\n'.join(programs[exercise.id].get('notes', ())))
+        notes = programs[exercise.id].get('notes', ())
+        found.message = clean('\n'.join([*filter(None, [found.message]), *notes]))
         judged[exercise.id] = found
     return SessionReport(
         [judged[exercise.id] for exercise in exercises],
@@ -396,6 +397,7 @@ class _Collection:
                 verdicts.GRADER_ERROR,
                 event['expected'],
                 rules=event['rules'],
+                given=event['given'],
             )
         self.unseen[event['exercise']].update(event['unseen'])
 
@@ -443,6 +445,7 @@ _FIELDS: dict[str, dict[str, type | tuple[type, ...]]] = {
         'path': str,
         'expected': str,
         'rules': list,
+        'given': bool,
         'unseen': dict,
     },
     'running': {'test': str, 'may_take': (int, float)},

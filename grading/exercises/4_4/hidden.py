@@ -173,6 +173,7 @@ def test_leaving(learner):
     )
 
 
+@pytest.mark.given
 @pytest.mark.rules('full')
 @about('full')
 @waiting('one-thread')

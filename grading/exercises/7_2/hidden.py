@@ -8,6 +8,7 @@ from helpers.runner import about
 pytestmark = pytest.mark.exercise('7.2')
 
 
+@pytest.mark.given
 @pytest.mark.rules('file', 'module', 'function', 'kept')
 def test_healthy_package(learner):
     """A package without a fault gives an empty list, and is not changed.

@@ -17,6 +17,7 @@ def check(learner, *states, rule, times=6):
             stacks.diagnose(learner, *states, rule=rule)
 
 
+@pytest.mark.given
 @pytest.mark.rules('healthy', 'own-call')
 def test_healthy_threads(learner):
     """Threads that spin, are idle, or wait for an answer outside of a callback, are healthy.

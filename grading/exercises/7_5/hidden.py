@@ -8,6 +8,7 @@ from helpers.runner import about
 pytestmark = pytest.mark.exercise('7.5')
 
 
+@pytest.mark.given
 @pytest.mark.rules('frames', 'kept', 'mass', 'inertia')
 def test_healthy_robot(learner):
     """A robot without a fault gives an empty list and is not changed. A link without <visual> is a frame.

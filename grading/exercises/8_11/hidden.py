@@ -230,6 +230,7 @@ FIRST = Planted(ROBOT, 'right-robots', RIGHT, NOTHING, (STATUS, VALUES))  # two 
 SECOND = Planted(ROBOT, 'right-robots', COURSES, {}, (GOALS, ENDS))
 
 
+@pytest.mark.given
 @pytest.mark.rules('right-robots')
 @pytest.mark.weight(3)
 def test_right_robots(learner):

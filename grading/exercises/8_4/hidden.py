@@ -127,6 +127,7 @@ KINDS = (
 HIDDEN = Planted(LIMIT, 'right-functions', RIGHT, NOTHINGS, KINDS)
 
 
+@pytest.mark.given
 @pytest.mark.rules('right-functions', 'no-ros')
 @pytest.mark.weight(3)
 def test_right_functions(learner):

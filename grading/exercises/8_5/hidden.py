@@ -38,6 +38,7 @@ def test_drives(learner):
     steerings.judge_anywhere(learner)
 
 
+@pytest.mark.given
 @pytest.mark.rules('at-the-goal')
 def test_at_the_goal(learner):
     """At the goal itself all three are 0.

@@ -106,6 +106,7 @@ KINDS = (
 HIDDEN = Planted(STEERING, 'right-functions', RIGHT, NOTHINGS, KINDS)
 
 
+@pytest.mark.given
 @pytest.mark.rules('right-functions', 'no-ros')
 @pytest.mark.weight(3)
 def test_right_functions(learner):

@@ -21,6 +21,7 @@ def test_place(learner):
     whereabouts.judge_place(lost)
 
 
+@pytest.mark.given
 @pytest.mark.rules('given')
 @pytest.mark.weight(1)
 def test_given(learner):

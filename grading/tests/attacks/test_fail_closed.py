@@ -28,6 +28,7 @@ def collected(test, weight=1.0, exercise='90.1'):
         'expected': '',
         'path': f'/{test.replace("::", ".py::")}',
         'rules': [],
+        'given': False,
         'unseen': {},
     }
 

@@ -43,6 +43,7 @@ def test_battery(learner):
     greeting.judge_program(learner, 'battery')
 
 
+@pytest.mark.given
 @pytest.mark.rules('rest')
 def test_rest(learner):
     """Name, version, modules, marker and package.xml are installed as before.

@@ -61,6 +61,7 @@ def test_dependencies(learner):
     following.judge_dependencies(learner)
 
 
+@pytest.mark.given
 @pytest.mark.rules('rest')
 def test_nothing_else(learner):
     """Everything that was right has stayed: names, versions, licence, build type, one program.

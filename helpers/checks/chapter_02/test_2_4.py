@@ -25,6 +25,7 @@ def test_needed_at_run_time(learner):
     reporting.judge_needs(learner)
 
 
+@pytest.mark.given
 @pytest.mark.rules('nothing-else', 'order', 'build-type')
 def test_library_stands_alone(learner):
     """wheel_math needs nobody; the build type of both packages is ament_python.
@@ -44,6 +45,7 @@ def test_report(learner):
     reporting.judge_report(learner)
 
 
+@pytest.mark.given
 @pytest.mark.rules('argument')
 def test_called_later(learner):
     """main takes the ticks from the command line when it is called, and not when its module is imported.

@@ -150,6 +150,7 @@ def test_one_after_the_other(learner):
     room.leave_meanwhile()
 
 
+@pytest.mark.given
 @pytest.mark.rules('full')
 @about('full')
 @waiting('one-thread')

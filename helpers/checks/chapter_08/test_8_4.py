@@ -7,6 +7,7 @@ from helpers.checks.chapter_08.limits import VISIBLE
 pytestmark = pytest.mark.exercise('8.4')
 
 
+@pytest.mark.given
 @pytest.mark.rules('right-functions', 'no-ros')
 def test_right_functions(learner):
     """Your tests pass with right functions, also with one that computes in another order.

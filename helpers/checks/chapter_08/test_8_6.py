@@ -7,6 +7,7 @@ from helpers.checks.chapter_08.wrong_steerings import VISIBLE
 pytestmark = pytest.mark.exercise('8.6')
 
 
+@pytest.mark.given
 @pytest.mark.rules('right-functions', 'no-ros')
 def test_right_functions(learner):
     """Your tests pass with functions that do what exercise 8.5 says.

@@ -19,6 +19,7 @@ def test_where(learner):
     whereabouts.judge_place(lost)
 
 
+@pytest.mark.given
 @pytest.mark.rules('given')
 def test_given(learner):
     """A Courier drives as its given `drive` says, and is a StationKeeper.

@@ -1,6 +1,7 @@
 """Scores fail closed: only an explicit pass counts, and a grader's fault is never a zero."""
 
 import itertools
+from dataclasses import replace
 
 import pytest
 
@@ -44,6 +45,16 @@ def test_unusable_weights(weight):
 def test_doubled_and_foreign_tests():
     assert results.scored(small.exercise(), [one('a', 'passed'), one('a', 'passed')]).score is None
     assert results.scored(small.exercise(), [one('a', 'passed', exercise='90.2')]).score is None
+
+
+@pytest.mark.parametrize(
+    ('passes', 'score'), [('', 0), ('a', 0), ('ab', 0), ('c', 2.5), ('ac', 5), ('abc', 7.5), ('abcd', 10)]
+)
+def test_what_was_right_as_it_was_given(passes, score):
+    """Two tests that the cell passes as it was given count as soon as another one passes."""
+    tests = [replace(one(name, 'passed' if name in passes else 'failed'), given=name in 'ab') for name in 'abcd']
+    judged = results.scored(small.exercise(), tests)
+    assert (judged.score, judged.message) == (score, results.AS_GIVEN if passes and not score else '')
 
 
 def test_no_more_than_the_passes():
