@@ -140,4 +140,25 @@ def above(parents, frame, other):
     Mutant('slashes_do_not_count', old='frames = set(parents).union(*parents.values())',
            new="frames = {frame.strip('/') for frame in set(parents).union(*parents.values())}", breaks='unknown',
            expect='You did not find `no_transform`, cause `unknown`'),
+    Mutant('a_little_alike_above', old='nearest(way[-1], frames - tree)',
+           new="(get_close_matches(way[-1], sorted(frames - tree), 1) or [''])[0]",
+           expect='says which name was meant', **TREE),
+    Mutant('no_last_part', old='nearest(way[-1], frames - tree)',
+           new="(get_close_matches(way[-1], sorted(frames - tree), 1, 0.75) or [''])[0]",
+           expect='says which name was meant', **TREE),
+    Mutant('a_little_alike', old='nearest(source, frames))]',
+           new="(get_close_matches(source, sorted(frames), 1) or [''])[0])]", breaks='unknown',
+           expect='says which name was meant'),
+    Mutant('roots_by_name', old='if way[-1] != target:', new="if way[-1] not in ('map', 'odom', 'world', target):",
+           expect='is not the target here', **TREE),
+    Mutant('right_parents_by_name', old='parent != target and', new="parent not in ('map', 'odom', 'world') and",
+           breaks='two-parents', expect='is not the target here'),
+    Mutant('static_ones_with_a_stamp_age', old='for t in moving):',
+           new='for t in [*moving, *(one for one in static if one.header.stamp.sec)]):', also='newest',
+           expect='static ones do not age', **OLD),
+    Mutant('rotations_are_lost', old='    return transforms\n', new='''
+    for t in transforms:
+        t.transform.rotation.z, t.transform.rotation.w = 0.0, 1.0
+    return transforms
+''', breaks='kept', also='nothing', expect='The numbers and the stamps'),
 ]

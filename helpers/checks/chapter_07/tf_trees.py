@@ -107,8 +107,11 @@ class Tree:
             age = faults.ages.get(child, young)
             # What has come on /tf, the newest one last but for a late one; on /tf_static it came once.
             for back in (4.0, 2.0, 0.6, 0.3, 0.0) if moving else [0.0]:
-                stamp = self.now - age - back if moving else 0.0
+                # A static one keeps the time of its start, or has none.
+                stamp = self.now - (age + back if moving else random.choice([self.now, random.randint(30, 90)]))
                 made = _transform(*published, numbers.get(child, [0.1, 0.0, 0.0]), stamp)
+                if child in (self.source, other):  # a rotation there does not move the sensor
+                    made.transform.rotation.z, made.transform.rotation.w = random.choice([(0.6, 0.8), (-0.8, 0.6)])
                 self._names[id(made)] = parent, child
                 (self.moving if moving else self.static).append(made)
         # An end of the tree that has stopped, and is not on the way.
@@ -275,6 +278,8 @@ def judge_other_places(learner) -> None:
     with about('two-parents'):
         Tree(learner.random, ASIDE).diagnose(learner)
         Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
+    _judge_usual_roots(learner)
+    _judge_meant_names(learner)
     Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
     _judge_deep_way(learner)
 
@@ -311,6 +316,48 @@ def _judge_deep_way(learner) -> None:
                 given=f'The way from {names[-1]} to map goes through {len(names) - 2} frames. map → {names[1]} is '
                 f'{age} s old, all others are static.',
             )
+
+
+def _judge_usual_roots(learner) -> None:
+    """A frame with the name of another robot's root is a frame like any other: `two-parents` and `not-connected`."""
+    random = learner.random
+    target, root = random.sample(_ROOTS, 2)
+    source = random.choice(_SENSORS)
+    for pairs, finding in (
+        ([(target, 'lamp'), (root, 'base_link'), ('base_link', source)], (root, 'not connected', '')),
+        ([(target, 'base_link'), (root, 'base_link'), ('base_link', source)], ('base_link', 'two parents', root)),
+    ):
+        random.shuffle(pairs)
+        with about(finding[1].replace(' ', '-')):
+            compare(
+                learner.call(
+                    'diagnose_tf', [], [_transform(*pair, [0.1, 0.0, 0.0], 0.0) for pair in pairs], target, source, 9.0
+                ),
+                [('no_transform', *finding)],
+                WHY,
+                given=f'Asked for {source} in {target}; {root} is not the target here. '
+                f'static: {", ".join(" → ".join(pair) for pair in pairs)}',
+            )
+
+
+def _judge_meant_names(learner) -> None:
+    """The evidence is what `nearest` finds: no name that is only a little alike, but one with the same last part.
+
+    Rules `unknown` and `not-connected`.
+    """
+    source = learner.random.choice(_SENSORS)
+    prefix = learner.random.choice(['left', 'rear', 'base'])  # longer names would not even be a little alike
+    for name, meant in ((f'{source}_{prefix}', ''), (f'{prefix}/{source}', f'{prefix}/{source}')):
+        for pairs, cause in (([('map', name)], 'unknown'), ([('map', name), (source, 'lens')], 'not connected')):
+            asked = source if cause == 'unknown' else 'lens'
+            static = [_transform(*pair, [0.1, 0.0, 0.0], 0.0) for pair in pairs]
+            with about(cause.replace(' ', '-')):
+                compare(
+                    learner.call('diagnose_tf', [], static, 'map', asked, 9.0),
+                    [('no_transform', source, cause, meant)],
+                    {one: f'{why} `nearest` of section 7.2 says which name was meant.' for one, why in WHY.items()},
+                    given=f'Asked for {asked} in map. static: {", ".join(" → ".join(pair) for pair in pairs)}',
+                )
 
 
 def _judge_meant_target(learner, tree: Tree) -> None:
