@@ -43,6 +43,7 @@ def test_several_programs(learner):
     """
     for _ in range(5):
         Package(learner.random, *learner.random.choices(CAUSES, k=3)).diagnose(learner, 'all')
+    Package(learner.random, *learner.random.choices(CAUSES, k=5)).diagnose(learner, 'all')
     judge_rare_entries(learner)
 
 
@@ -59,6 +60,11 @@ def test_repaired_entry_points(learner):
             package.diagnose(learner, 'all')
             with about('repaired'):
                 package.check(learner.call('repair_package', package.files))
+    for form in (1, 3):  # no right side is left that names the package
+        package = Package(learner.random, *['module'] * 5, form=form)
+        package.diagnose(learner, 'all')
+        with about('repaired'):
+            package.check(learner.call('repair_package', package.files))
 
 
 @pytest.mark.rules('repaired')

@@ -108,4 +108,17 @@ MUTANTS = [
         lines = [line for line in setup.splitlines() if not line.startswith('#')]
         return {**files, 'setup.py': '\\n'.join(lines) + '\\n'}
         ''', also='repaired', expect='The comment'),
+    Mutant('three_findings_at_most', old='    return found\n', new='    return found[:3]\n', breaks='all',
+           also='repaired', expect='You did not find'),
+    Mutant('hyphens_are_underscores', old="module.replace('.', '/') + '.py')",
+           new="module.replace('.', '/').replace('-', '_') + '.py')", expect='a hyphen is no underscore', **MODULE),
+    Mutant('names_that_end_in_py', old="module.endswith('.py')", new="module.endswith('py')", breaks='file', also='all',
+           expect='A name such as `copy`'),
+    Mutant('colons_of_cpp', old="module, _, function = value.partition(':')",
+           new="module, _, function = value.replace('::', ':').partition(':')", expect='You did not find', **FUNCTION),
+    Mutant('last_part_of_a_method', old="rf'^def {function}\\(', text",
+           new="rf'^def {function.rpartition(chr(46))[2]}\\(', text", expect='You did not find', **FUNCTION),
+    Mutant('package_of_the_first_entry', old="next(name for name in files if name.endswith('/__init__.py')).split('/')[0]",
+           new="next(iter(entry_points(setup).values())).split('.')[0].split('/')[0]", breaks='repaired',
+           expect='KeyError'),
 ]

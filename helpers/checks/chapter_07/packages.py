@@ -12,8 +12,9 @@ FUNCTIONS = ('main', 'run2', 'start', 'say_hello', 'work')
 CAUSES = ('file', 'module', 'function')
 FORMS = 8  # so many forms has the cause that has most
 WHY = {
-    'file': 'An entry point names a module as import does: no `/`, no `.py`.',
-    'module': 'The module is looked up among the files of the package: package.name is package/name.py.',
+    'file': 'An entry point names a module as import does: no `/`, no `.py`. A name such as `copy` has no point.',
+    'module': 'The module is looked up among the files of the package: package.name is package/name.py, letter by '
+    'letter; a hyphen is no underscore.',
     'function': 'A function that can be started stands at the left margin of its module, after `def`, and is named '
     'after a colon; a method, a class, an `async def`, a comment, or a longer name that only begins so, is none.',
 }
@@ -248,27 +249,23 @@ class Package:
 def judge_rare_entries(learner) -> None:
     """Entry points whose programs have other names than their modules, in a package with a folder in it.
 
-    One name is written in capitals, one module stands in another folder, three right sides name a file, one of them
-    after the colon;
+    One name is written in capitals, one with a hyphen, one ends in py, one module stands in another folder, three right
+    sides name a file, one of them after the colon;
     a function is only another name of one, one is inside of another, one is the end of another name, one that begins
-    with `_` can be started as any other, one module begins with its only `def`, and one is empty.
+    with `_` can be started as any other, one module begins with its only `def`, one is empty, and two right sides have
+    a sign too much.
     """
     random = learner.random
     package, (inner, first, last, empty) = random.choice(PACKAGES), random.sample(PROGRAMS, 4)
     go, other = random.sample(FUNCTIONS, 2)
-    files = {
-        f'{package}/__init__.py': '',
-        f'{package}/tools/__init__.py': '',
-        f'{package}/tools/{inner}.py': f'def {go}():\n    pass\n',
-        f'{package}/{first}.py': f'def {go}():\n    def {other}():\n        pass\n\n    {other}()\n',
-        f'{package}/{last}.py': f'import math\n\n\ndef {go}():\n    print(math.pi)\n\n\n'
-        f'def _{go}():\n    {go}()\n\n\n{other} = {go}\n',
-        f'{package}/{empty}.py': '',
-    }
+    files = _rare_files(package, (inner, first, last, empty), go, other)
     entries = [
         (f'{package}.tools.{inner}:{go}', ''),
         (f'{package}.{inner}:{go}', 'module'),
         (f'{package}.{first.capitalize()}:{go}', 'module'),
+        (f'{package}.{first}-{inner}:{go}', 'module'),
+        (f'{package}.{first}_{inner}:{go}', ''),
+        (f'{package}.copy:{go}', ''),
         (f'{package}:scripts/{first}', 'file'),
         (f'{package}.{last}.py:{next(one for one in (go, other) if one != "main")}', 'file'),
         (f'{package}.{last}.py', 'file'),
@@ -277,6 +274,8 @@ def judge_rare_entries(learner) -> None:
         (f'{package}.{last}:{go}', ''),
         (f'{package}.{last}:_{go}', ''),
         (f'{package}.{last}:{go[1:]}', 'function'),
+        (f'{package}.{last}::{go}', 'function'),
+        (f'{package}.{first}:Task.{go}', 'function'),
         (f'{package}.{empty}:{go}', 'function'),
     ]
     for value, cause in entries:
@@ -286,10 +285,26 @@ def judge_rare_entries(learner) -> None:
         )
         expected = [('no_program', program, cause, value)] if cause else []
         given = f'The entry point is: {program} = {value}\nThe files are: {", ".join(files)}'
-        rule = cause or ('function' if ':_' in value else 'module')
+        rule = cause or ('function' if ':_' in value else 'file' if '.copy:' in value else 'module')
         with about(rule):
             got = learner.call('diagnose_package', {**files, 'setup.py': text})
             compare(got, expected, WHY, rule, given)
+
+
+def _rare_files(package: str, modules: tuple[str, str, str, str], go: str, other: str) -> dict[str, str]:
+    """The files of the package of `judge_rare_entries`; `go` is a function, `other` is none."""
+    inner, first, last, empty = modules
+    return {
+        f'{package}/__init__.py': '',
+        f'{package}/tools/__init__.py': '',
+        f'{package}/tools/{inner}.py': f'def {go}():\n    pass\n',
+        f'{package}/{first}.py': f'def {go}():\n    def {other}():\n        pass\n\n    {other}()\n',
+        f'{package}/{first}_{inner}.py': f'def {go}():\n    pass\n',
+        f'{package}/copy.py': f'def {go}():\n    pass\n',
+        f'{package}/{last}.py': f'import math\n\n\ndef {go}():\n    print(math.pi)\n\n\n'
+        f'def _{go}():\n    {go}()\n\n\n{other} = {go}\n',
+        f'{package}/{empty}.py': '',
+    }
 
 
 def _console_scripts(setup: str) -> tuple[list[str], str]:

@@ -23,6 +23,7 @@ def test_causes(learner):
     with about('all'):
         Package(learner.random, *CAUSES).diagnose(learner, 'all')
         Package(learner.random, 'module', 'module', form=0).diagnose(learner, 'all')
+        Package(learner.random, *CAUSES, 'file', 'module').diagnose(learner, 'all')  # every program is wrong
 
 
 @pytest.mark.rules('repaired', 'kept')
@@ -31,7 +32,15 @@ def test_repair(learner):
 
     The program has the name of its module; the function is the one at the left margin without `_`.
     """
-    for causes, form in (((), None), (('file',), None), (('function',), None), (('module',) * 3, 0), (CAUSES, None)):
+    every = (('module',) * 5, learner.random.choice([1, 3]))  # no right side is left that names the package
+    for causes, form in (
+        ((), None),
+        (('file',), None),
+        (('function',), None),
+        (('module',) * 3, 0),
+        (CAUSES, None),
+        every,
+    ):
         package = Package(learner.random, *causes, form=form)
         package.diagnose(learner, 'all')
         with about('repaired'):
