@@ -128,4 +128,8 @@ MUTANTS = [
            old="'await_or_execute' in [function for _, _, function in calls[own:]]",
            new="any(function.startswith('on_') for _, _, function in calls[own:])",
            expect='You did not find `hang`'),
+    Mutant('seconds_with_a_point', old='float(sys.argv[2])', breaks='interrupt', expect=('without Ctrl+C', 'IndexError'),
+           new="sum(map(float, [sys.argv[2].split('.')[0], '0.' + sys.argv[2].split('.')[1]]))"),
+    Mutant('spaces_after_the_line', old='[int(line) - 1].strip()', new='[int(line) - 1].lstrip()', breaks='own-call',
+           also=('server', 'call', 'spin', 'busy', 'all'), expect='your evidence is'),
 ]

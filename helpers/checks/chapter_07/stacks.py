@@ -175,7 +175,7 @@ class _Program:
         """A call in one of the program's files, into which the code is written."""
         name = self._random.choice(list(self._lines))
         number = self._random.choice([n for n in range(5, 58) if self._lines[name][n - 1].startswith('#')])
-        self._lines[name][number - 1] = f'        {code}'
+        self._lines[name][number - 1] = f'        {code}' + '  ' * (number % 2)  # an editor may leave spaces there
         return _frame(f'{self._folder}/{name}', number, function)
 
     def _library(self, *calls: str) -> list[str]:
@@ -382,12 +382,15 @@ class _Running:
         """How it has ended; it is ended if it still runs."""
         status = self.task.wait(0) if self.ended else None
         self.task.end()
-        lines = [line for line in self.task.output.splitlines() if line.strip()]
-        said = [line for line in lines if line.strip() not in (WAITS, ASKED) and not line.startswith(MADE)]
         took = (self.ended or time.monotonic()) - (self.begun or self._start)
-        return Ended(
-            workspaces.last_line('\n'.join(said)), 'none' if status is None else str(status), took, seconds, name, word
-        )
+        return Ended(_printed(self.task), 'none' if status is None else str(status), took, seconds, name, word)
+
+
+def _printed(task) -> str:
+    """The last line that the learner's client itself has printed."""
+    lines = [line for line in task.output.splitlines() if line.strip()]
+    said = [line for line in lines if line.strip() not in (WAITS, ASKED) and not line.startswith(MADE)]
+    return workspaces.last_line('\n'.join(said))
 
 
 class _LateServer:
@@ -472,8 +475,8 @@ class Client:
             what: one.outcome(asked[what][1], asked[what][0], words_of.get(what, '')) for what, one in running.items()
         }
 
-    def interrupt(self, silent: bool) -> str:
-        """Ctrl+C while it waits: 'True' if it ends, 'False' if not, 'early' if it had ended before.
+    def interrupt(self, silent: bool) -> tuple[bool, Ended | None]:
+        """Ctrl+C while it waits: whether it ends; and how it had ended before, if it had.
 
         :param silent: it waits for the answer of a server that is there, and never answers; else there is no server.
         """
@@ -485,11 +488,11 @@ class Client:
             observer.until(lambda: MADE in task.output, START, task)
             # It waits next. One that does so in an unusual way has a moment to come there.
             observer.until(lambda: (ASKED if silent else WAITS) in task.output, 3.0, task)
-            early = task.wait(0.5) is not None  # who only says that it waits has ended meanwhile
+            early = task.wait(0.5)  # who only says that it waits has ended meanwhile
             task.signal(signal.SIGINT)
             ended = task.wait(5.0 * (4 if busy() else 1)) is not None
             task.end()
-        return 'early' if early else str(ended)
+        return ended, None if early is None else Ended(_printed(task), str(early), 0.0, 60.0, name, '')
 
 
 def judge_answer(learner, of: str) -> None:
@@ -561,10 +564,13 @@ def judge_interrupt(learner) -> None:
     """The rule `interrupt`."""
     client = Client(learner)
     for silent, what in ((False, 'for a server'), (True, 'for the answer of a server')):
-        ended = client.interrupt(silent)
-        expect(ended != 'early', f'The client was to wait 60 s {what}, and ended before its time.')
+        ended, early = client.interrupt(silent)
         expect(
-            ended == 'True',
+            early is None,
+            f'The client was to wait 60 s {what}, and ended before its time, without Ctrl+C: it {early and early.told}',
+        )
+        expect(
+            ended,
             f'The client waited {what}, and did not end within two seconds after Ctrl+C. Python waits for all threads '
             'that are no daemons, also for those of a pool.',
         )
