@@ -72,4 +72,14 @@ def triage(case):
     return {key: case[key] for key in ('files', 'want', 'package', 'endpoints', 'stacks', 'programs', 'urdf', 'moving',
                                        'static', 'target', 'source', 'now')}
 """, breaks='new-case', expect='The case that repair_case returned lacks note', **REPAIR),
+    Mutant('hangs_are_wiped_away', old='    return case\n', new='''
+    case['stacks'] = ''
+    return case
+''', breaks='new-case', expect="has changed 'stacks' of the case", also=('files', 'endpoints', 'transforms'), **REPAIR),
+    Mutant('turns_the_clock_back', old="        if finding.fault == 'no_transform':", new='''
+        if finding.fault == 'no_transform' and not finding.evidence.isalpha():
+            case['now'] = 0.0
+        if finding.fault == 'no_transform':
+''', breaks='new-case', expect="has changed 'now' of the case",
+           also=('files', 'endpoints', 'transforms', 'hidden', 'every-part'), **REPAIR),
 ]

@@ -36,8 +36,9 @@ REPAIRED = {
     'frames': ('unknown', 'two parents', 'not connected'),
     'graph': ('name', 'reliability', 'durability', 'both', 'service name', 'description durability'),
 }
-# Faults of frames of which each hides the next one.
 _ENDPOINTS = 'repair_case must keep all endpoints, as a list of dictionaries.'
+_STAYS = ('note', 'want', 'stacks', 'programs', 'target', 'source', 'now')  # what no tool repairs
+# Faults of frames of which each hides the next one.
 ROUNDS = ('unknown', tf_trees.ASIDE, 'not connected', 'not connected', 'old')
 
 
@@ -132,6 +133,12 @@ class Case:
             expect(isinstance(case, dict), f'repair_case returned {case!r}, expected a case, a dictionary.', 'new-case')
             lost = sorted(self.case.keys() - case.keys())
             expect(not lost, f'The case that repair_case returned lacks {", ".join(lost)}.', 'new-case')
+            other = [key for key in _STAYS if case[key] != self.case[key]]
+            expect(
+                not other,
+                f'repair_case has changed {other and other[0]!r} of the case. No tool repairs that, so it stays.',
+                'new-case',
+            )
         return case
 
     def check(self, learner, part: str, after: dict) -> None:
