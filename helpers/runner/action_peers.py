@@ -13,7 +13,7 @@ from action_msgs.msg import GoalStatus, GoalStatusArray
 from action_msgs.srv import CancelGoal
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.action import graph as action_graph
-from rclpy.action.server import ServerGoalHandle
+from rclpy.action.server import GoalEvent, ServerGoalHandle
 from rclpy.qos import QoSProfile
 from unique_identifier_msgs.msg import UUID
 
@@ -284,8 +284,8 @@ class Aborted:
         self.result = result
 
 
-class _Canceled(Aborted):
-    """In a plan: the end of a goal that was cancelled."""
+class Canceled(Aborted):
+    """In a plan: the end of a goal that was cancelled, by its client or by somebody else."""
 
     end = 'canceled'
 
@@ -366,7 +366,7 @@ class Server(Named):
         if served.cancelled is None:
             served.cancelled = self.learner.now / SECOND
             if self.cancel == 'accept':
-                served.plan = [(self.learner.now + round(self.cancel_delay * SECOND), _Canceled(self.partial))]
+                served.plan = [(self.learner.now + round(self.cancel_delay * SECOND), Canceled(self.partial))]
         return CancelResponse.REJECT if self.cancel == 'reject' else CancelResponse.ACCEPT
 
     def due(self) -> int | None:
@@ -384,6 +384,15 @@ class Server(Named):
             if self.late.get(kind)
         ]
         return {kind: request for kind, request in taken.items() if not self.late.get(kind)}
+
+    def tell_early(self, feedback) -> None:
+        """Publish this feedback for each goal that still waits for its answer: it may come before that."""
+        assert self._server is not None  # a server that has left forgets the goals
+        for _, taken in self._held:
+            if 'goal' in taken:
+                _, request = taken['goal']
+                self._server.tell(request.goal_id, feedback)
+        self.learner.unsettled = True
 
     def act(self) -> None:
         self.said = False
@@ -408,6 +417,8 @@ class Server(Named):
         served.finished = self.learner.now / SECOND
 
         def finish(handle):
+            if end == Canceled.end and not handle.is_cancel_requested:
+                handle._update_state(GoalEvent.CANCEL_GOAL)  # what a request of somebody else does
             getattr(handle, end)()
             served.status = STATUS[handle.status]
             return result or self.action_type.Result()
@@ -435,6 +446,10 @@ class _PlannedServer(ActionServer):
     def end(self, goal_handle, finish) -> None:
         """End the goal: `finish` sets its state and gives the result."""
         super().notify_execute(goal_handle, finish)
+
+    def tell(self, goal_id: UUID, feedback) -> None:
+        """Publish feedback for a goal that has no handle yet."""
+        self._handle.publish_feedback(self.action_type.Impl.FeedbackMessage(goal_id=goal_id, feedback=feedback))
 
     async def execute(self, taken_data):
         await super().execute(self.server.hold(taken_data))

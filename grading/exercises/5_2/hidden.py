@@ -8,6 +8,7 @@ from std_msgs.msg import String
 from unique_identifier_msgs.msg import UUID
 
 from helpers.checks.chapter_05.test_5_2 import check_first, check_no_early_look, check_silence
+from helpers.checks.chapter_05.two_clients import check_two_clients
 from helpers.runner import about, action_peers, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once', namespace='names')]
@@ -26,6 +27,12 @@ def begin(learner, order, patience, steps=plan, **server):
     node = learner.start('PatientClient', order, patience)
     check_silence(learner, outcome)
     return outcome, server, node
+
+
+def check_one_goal(server):
+    """One goal came, however it ended."""
+    count = len(server.goals)
+    expect(count == 1, f'{count} goals came, expected one: there is no second try, however a goal ends.', 'send')
 
 
 @pytest.mark.weight(2)
@@ -68,14 +75,14 @@ def test_in_time(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('deadline', 'result', 'numbers', 'word')
+@pytest.mark.rules('deadline', 'result', 'numbers', 'word', 'send')
 @about('deadline')
 def test_deadline(learner):
     """The cancel request comes `patience` seconds after the goal was accepted; then the result is waited for.
 
     The server may need time to stop. Its result tells what really happened.
     """
-    patience, slow = learner.random.choice([62.35, 93.7, 186.1]), [(1000.0, Fibonacci.Result())]
+    patience, slow = learner.random.choice([62.35, 93.74, 186.17]), [(1000.0, Fibonacci.Result())]
     outcome, server, _ = begin(learner, 30, patience, slow, partial=Fibonacci.Result(sequence=[6, 5]))
     server.cancel_delay = learner.random.uniform(61, 120)
     learner.run(patience + server.cancel_delay - 0.5, step=5.0)
@@ -110,6 +117,7 @@ def test_deadline(learner):
         f'/outcome said {outcome.data}, expected ["canceled [6, 5]"].',
         'numbers' if outcome.data and outcome.data[0].startswith('canceled [') else 'result',
     )
+    check_one_goal(server)
 
 
 @pytest.mark.rules('word', 'send')
@@ -136,21 +144,32 @@ def test_rejected(learner):
     expect(came == [large], f'PatientClient({large}, 1.0) sent goals of the orders {came}, expected {[large]}.', 'send')
 
 
-@pytest.mark.rules('word', 'numbers')
+@pytest.mark.rules('word', 'numbers', 'send', 'deadline')
 @about('word')
 def test_aborted(learner):
-    """A goal that the server gives up has the outcome "aborted".
+    """A goal that the server gives up has the outcome "aborted"; one that somebody else has cancelled, "canceled".
 
     The status stands beside the result: .result().status.
     """
-    outcome, _, _ = begin(learner, 3, 3.0, [(1.0, action_peers.Aborted(Fibonacci.Result(sequence=[9, 4, 9])))])
-    learner.run(5.0)
-    expect(
-        outcome.data == ['aborted [9, 4, 9]'],
-        f'The server aborted the goal, and /outcome said {outcome.data}, '
-        'expected ["aborted [9, 4, 9]"]. Look at the status of the result.',
-        'numbers' if outcome.data and outcome.data[0].startswith('aborted [') else 'word',
-    )
+    draw = learner.random
+    numbers = [9, 4, 9, -draw.randint(1, 99), draw.randint(10**6, 2**31 - 1), 0]
+    for word, end in (('aborted', action_peers.Aborted), ('canceled', action_peers.Canceled)):
+        outcome, server, node = begin(learner, 3, 3.0, [(1.0, end(Fibonacci.Result(sequence=numbers)))])
+        learner.run(5.0)
+        expect(
+            outcome.data == [f'{word} {numbers}'],
+            f'The server ended the goal as {word}, before the deadline, and /outcome said {outcome.data}, '
+            f'expected ["{word} {numbers}"]. Look at the status of the result.',
+            'numbers' if outcome.data and outcome.data[0].startswith(f'{word} [') else 'word',
+        )
+        check_one_goal(server)
+        expect(
+            not server.cancel_stamps,
+            f'A goal ended as {word} before its deadline, and a cancel request came for it.',
+            'deadline',
+        )
+        node.stop()
+        server.stop()
 
 
 @pytest.mark.rules('numbers', 'word')
@@ -342,7 +361,7 @@ def test_slow_answers(learner):
         server.stop()
 
 
-@pytest.mark.rules('names')
+@pytest.mark.rules('names', 'send', 'deadline', 'numbers', 'once')
 @about('names')
 def test_two_clients(learner):
     """In a namespace all names move with the node; two clients each have their own goal and outcome.
@@ -365,6 +384,42 @@ def test_two_clients(learner):
     expect(
         said == ['succeeded', 'canceled'],
         f'Two clients with a short and a long goal said {left.data} and {right.data}.',
+    )
+    check_two_clients(learner)
+
+
+@pytest.mark.rules('numbers', 'once', 'word', 'lost')
+@about('numbers')
+def test_early_feedback(learner):
+    """Feedback may come before the server has answered the goal, which may take long: it counts, and nothing ends.
+
+    Keep the numbers of each feedback; report when the goal is rejected, has ended or is lost.
+    """
+    draw = learner.random
+    late, numbers = draw.choice([65.3, 72.4]), [-draw.randint(1, 99), draw.randint(1, 99)]
+    outcome, server, _ = begin(learner, 7, 0.9, [(60.0, Fibonacci.Result())])
+    server.late = {'goal': late, 'cancel': 9.0}
+    learner.run(0.5)
+    server.tell_early(Fibonacci.Feedback(sequence=numbers))
+    learner.run(0.2)
+    expect(
+        not outcome.data,
+        f'Feedback came before the answer to the goal, and /outcome said {outcome.data}: there is one outcome, at the '
+        'end.',
+        'once',
+    )
+    learner.run(late - 0.9, step=5.0)
+    expect(
+        not outcome.data,
+        f'The server had not answered the goal, and /outcome said {outcome.data}: no answer is no rejection.',
+        'word',
+    )
+    learner.run(3.0, step=1.0)
+    expect(
+        outcome.data == [f'lost {numbers}'],
+        f'The only feedback, {numbers}, came before the answer to the goal; then the cancel request was not answered. '
+        f'/outcome said {outcome.data}, expected ["lost {numbers}"].',
+        'numbers' if outcome.data and outcome.data[0].startswith('lost [') else 'lost',
     )
 
 

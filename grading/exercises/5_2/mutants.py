@@ -175,4 +175,82 @@ MUTANTS = [
             self.goal.cancel_goal_async()
         if not self.said:
         """, also='lost', expect='2 cancel requests came'),
+    Mutant('feedback_counts_from_acceptance_on', breaks='numbers', old='self.numbers = message.feedback.sequence', new="""
+        if hasattr(self, 'goal'):
+            self.numbers = message.feedback.sequence
+        """, expect='also what comes before it is accepted'),
+    Mutant('tells_early_feedback', breaks='once', old='self.numbers = message.feedback.sequence', new="""
+        self.numbers = message.feedback.sequence
+        if not hasattr(self, 'goal'):
+            self.outcome.publish(String(data=f'early {list(self.numbers)}'))
+        """, expect='when this feedback came'),
+    Mutant('goal_in_the_class', breaks='deadline', also=('numbers', 'once'), edits=(
+           ('self.goal = future.result()', 'goal = PatientClient.goal = future.result()'),
+           ('if not self.goal.accepted:', 'if not goal.accepted:'),
+           ('self.goal.get_result_async()', 'goal.get_result_async()'),
+           ('self.goal.cancel_goal_async()', 'PatientClient.goal.cancel_goal_async()')),
+           expect='is kept in the class'),
+    Mutant('numbers_in_the_class', breaks='numbers', edits=(
+           ("self.finish('lost', self.numbers)", "self.finish('lost', PatientClient.numbers)"),
+           ('self.order, self.patience, self.numbers, self.said = order, patience, [], False', """
+            self.order, self.patience, self.said = order, patience, False
+            PatientClient.numbers = []
+            """), ('self.numbers = message.feedback.sequence', 'PatientClient.numbers = message.feedback.sequence')),
+           expect='not those of the goal of the other one'),
+    Mutant('order_in_the_class', breaks='send', old='self.order, self.patience, self.numbers',
+           new='PatientClient.order, self.patience, self.numbers', expect='sent goals of the orders'),
+    Mutant('patience_in_the_class', breaks='deadline', also='numbers', old='self.order, self.patience, self.numbers',
+           new='self.order, PatientClient.patience, self.numbers', expect='as when it is alone'),
+    Mutant('outcome_in_the_class', breaks='once', old='self.outcome = ', new='PatientClient.outcome = ',
+           expect='came on /other/outcome'),
+    Mutant('client_in_the_class', breaks='send', old='self.client = ', new='PatientClient.client = ',
+           expect='came on /other/fibonacci'),
+    Mutant('patience_in_tenths', breaks='deadline', also='numbers', old='self.create_timer(self.patience,',
+           new='self.create_timer(round(self.patience, 1),', expect='s after the goal was accepted'),
+    Mutant('each_number_once', breaks='numbers', also='result',
+           old='STATUS[future.result().status], future.result().result.sequence))',
+           new='STATUS[future.result().status], dict.fromkeys(future.result().result.sequence)))',
+           expect='/outcome said'),
+    Mutant('without_signs', breaks='numbers', also=('result', 'word'), old='{list(numbers)}',
+           new='{[abs(number) for number in numbers]}', expect='/outcome said'),
+    Mutant('numbers_in_a_byte', breaks='numbers', also=('result', 'word'), old='{list(numbers)}',
+           new='{[number % 256 for number in numbers]}', expect='/outcome said'),
+    *[Mutant(f'tries_again_when_{word}', breaks='send', also=('once', 'deadline', 'numbers'), old="""
+        def finish(self, word, numbers):
+            self.timer.cancel()
+        """, new=f"""
+        def finish(self, word, numbers):
+            self.timer.cancel()
+            if word == '{word}' and not self.said:
+                self.timer = self.create_timer(0.1, self.send)
+        """, expect=f'has the outcome {word} is not sent again') for word in ('lost', 'aborted', 'canceled')],
+    Mutant('cancels_what_was_aborted', breaks='deadline', old="""
+        def finish(self, word, numbers):
+            self.timer.cancel()
+        """, new="""
+        def finish(self, word, numbers):
+            if word != 'aborted':
+                self.timer.cancel()
+        """, expect='stop the timer of the deadline when the result has come'),
+    Mutant('canceled_by_itself_only', breaks='word', edits=(
+           (f'{STATUS}, future', f"{STATUS} if self.asked or future.result().status != 5 else 'aborted', future"),
+           ('self.order, self.patience, self.numbers, self.said = order, patience, [], False', """
+            self.order, self.patience, self.numbers, self.said = order, patience, [], False
+            self.asked = False
+            """), ("""
+            def give_up(self):
+                self.timer.cancel()
+            """, """
+            def give_up(self):
+                self.timer.cancel()
+                self.asked = True
+            """)), expect='somebody else'),
+    Mutant('ten_seconds_for_the_answer', breaks='word', also=('deadline', 'numbers'), edits=(
+           ('future.add_done_callback(self.on_answer)', """
+            future.add_done_callback(self.on_answer)
+            self.timer = self.create_timer(10.0, lambda: self.finish('rejected', []))
+            """), ('self.goal = future.result()', """
+            self.timer.cancel()
+            self.goal = future.result()
+            """)), expect='has not rejected the goal'),
 ]

@@ -7,6 +7,7 @@ from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 from unique_identifier_msgs.msg import UUID
 
+from helpers.checks.chapter_05.two_clients import check_two_clients
 from helpers.runner import about, action_peers, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once', namespace='names')]
@@ -15,8 +16,8 @@ WORDS = 'rejected', 'succeeded', 'canceled', 'aborted', 'lost'
 
 
 def result_of(order):
-    """Numbers in no order, other ones than those of the feedback."""
-    return [50 + 5 * n % 7 for n in range(order)]
+    """Numbers in no order, other ones than those of the feedback: large, negative, one twice, and zero."""
+    return [(2_000_000_011, -40, -40, 0, 57)[n % 5] for n in range(order)]
 
 
 def plan(goal):
@@ -85,7 +86,7 @@ class Rounds:
     """One client after the other in one process, each with a server that behaves in another way."""
 
     def __init__(self, learner):
-        self.learner, self.node = learner, None
+        self.learner, self.node, self.before = learner, None, 0
         self.outcome = learner.listen('/outcome', String)
         self.server = learner.action_server('/fibonacci', Fibonacci, plan)
         hidden = '/fibonacci/_action/feedback'
@@ -96,7 +97,7 @@ class Rounds:
         """Start a client, and wait for its goal."""
         self.outcome.clear()
         self.story = f'PatientClient({order}, {patience}), {story}: '
-        before = len(self.server.goals)
+        self.before = len(self.server.goals)
         self.server.cancel_stamps.clear()
         started = self.learner.now / 1e9
         with waiting('at-once'):
@@ -104,7 +105,7 @@ class Rounds:
         check_silence(self.learner, self.outcome, self.story)
         self.learner.run(0.3)
         check_no_wait(self.learner)
-        goals = self.server.goals[before:]
+        goals = self.server.goals[self.before :]
         expect(
             goals or self.server.late,
             f'{self.story}no goal came within 0.3 s. Look in a timer whether the server '
@@ -127,6 +128,9 @@ class Rounds:
         expect(said[0] == wanted, f'{told} {hint}', 'numbers' if numbers else 'word')
         check_first(self.outcome, self.story)
         expect(len(said) == 1, f'{told} One outcome is enough, whatever comes after it.', 'once')
+        sent, end = len(self.server.goals) - self.before, words[0]
+        why = 'was rejected is not sent again' if end == 'rejected' else f'has the outcome {end} is not sent again'
+        expect(sent == 1, f'{self.story}it sent {sent} goals, expected one: a goal that {why}.', 'send')
 
     def expect_looks(self):
         """The server was there: one client at least found it at its first look, and none sooner (rule `send`)."""
@@ -157,9 +161,25 @@ def test_outcomes(learner):
     expect(
         not server.cancel_stamps, f'{rounds.story}a cancel request came for a goal that had ended in time.', 'deadline'
     )
+    _rejects(learner, rounds)
+    value = draw.randint(3, 99)
+    _ends_in_time(learner, rounds, order, value)
+    _stops_late(learner, rounds, draw.choice([71.34, 122.16]), value)
+    for server.cancel, does in (('reject', 'refuses the cancel request'), ('ignore', 'accepts the cancel request')):
+        rounds.begin(5, 1.2, f'a server that {does}, goes on, and succeeds 1.3 s later')
+        learner.run(3.5, step=1.0)
+        rounds.expect(f'succeeded {result_of(5)}', 'result', 'A cancel request is only a request.')
+        _asked_once(rounds)
+    _answers_late(learner, rounds)
+    _tells_early(learner, rounds)
+    rounds.expect_looks()
+
+
+def _rejects(learner, rounds):
+    """A server rejects goals, whatever their order is."""
+    draw, server = learner.random, rounds.server
     server.accept = False
     for odd in (0, -draw.randint(1, 99), draw.randint(1000, 2**31 - 1)):
-        before = len(server.goals)
         rejected = rounds.begin(odd, 1.0, 'a server that rejects the goal')
         learner.run(2.5, step=1.0)
         expect(
@@ -169,31 +189,36 @@ def test_outcomes(learner):
             'send',
         )
         rounds.expect('rejected []', 'word', 'Look at accepted first.')
-        sent = len(server.goals) - before
-        expect(
-            sent == 1,
-            f'{rounds.story}it sent {sent} goals, expected one: a goal that was rejected is not sent again.',
-            'send',
-        )
-    server.accept, value = True, draw.randint(3, 99)
+    server.accept = True
+
+
+def _ends_in_time(learner, rounds, order, value):
+    """A server aborts a goal before the deadline, or somebody else has cancelled it."""
+    draw, server = learner.random, rounds.server
     heard, many = Fibonacci.Feedback(sequence=[value]), [value + n for n in range(draw.randint(31, 47))]
-    for plan_, wanted in (
-        ([(0.6, action_peers.Aborted(Fibonacci.Result(sequence=many)))], f'aborted {many}'),
-        ([(0.6, action_peers.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
-        ([(0.3, heard), (0.3, action_peers.Aborted(Fibonacci.Result()))], 'aborted []'),  # not what the feedback said
+    aborts, cancels = 'aborts the goal', 'was asked by somebody else to cancel the goal'
+    for does, plan_, wanted in (
+        (aborts, [(0.6, action_peers.Aborted(Fibonacci.Result(sequence=many)))], f'aborted {many}'),
+        (aborts, [(0.6, action_peers.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
+        # not what the feedback said
+        (aborts, [(0.3, heard), (0.3, action_peers.Aborted(Fibonacci.Result()))], 'aborted []'),
+        (
+            cancels,
+            [(0.3, heard), (0.3, action_peers.Canceled(Fibonacci.Result(sequence=[-value])))],
+            f'canceled [{-value}]',
+        ),
     ):
         server.plan = plan_
-        rounds.begin(order, 1.5, 'a server that aborts the goal')
+        rounds.begin(order, 1.5, f'a server that {does}')
         learner.run(3.5, step=1.0)
         rounds.expect(wanted, 'word', 'The status stands beside the result; the numbers are in the result.')
+        expect(
+            not server.cancel_stamps,
+            f'{rounds.story}it ended before the deadline, and a cancel request came for it: stop the timer of the '
+            'deadline when the result has come, whatever it says.',
+            'deadline',
+        )
     server.plan = plan
-    _stops_late(learner, rounds, draw.choice([71.3, 122.1]), value)
-    for server.cancel, does in (('reject', 'refuses the cancel request'), ('ignore', 'accepts the cancel request')):
-        rounds.begin(5, 1.2, f'a server that {does}, goes on, and succeeds 1.3 s later')
-        learner.run(3.5, step=1.0)
-        rounds.expect(f'succeeded {result_of(5)}', 'result', 'A cancel request is only a request.')
-        _asked_once(rounds)
-    _answers_late(learner, rounds)
 
 
 def _stops_late(learner, rounds, patience, value):
@@ -299,10 +324,30 @@ def _answers_late(learner, rounds):
         'without an answer to the cancel request.',
         'lost',
     )
-    rounds.expect_looks()
 
 
-@pytest.mark.rules('names', 'at-once', 'send', 'deadline')
+def _tells_early(learner, rounds):
+    """A server gives feedback before it answers the goal, and then nothing more: that was the last feedback."""
+    server, value = rounds.server, learner.random.randint(3, 99)
+    server.start()
+    server.late, server.plan = {'goal': 0.6, 'cancel': 9.0}, [(60.0, Fibonacci.Result())]
+    rounds.begin(30, 0.7, f'a server whose feedback [{-value}] comes before its answer to the goal, and no other one')
+    learner.run(0.1)
+    server.tell_early(Fibonacci.Feedback(sequence=[-value]))
+    learner.run(0.1)
+    expect(
+        not rounds.outcome.data,
+        f'{rounds.story}/outcome said {shown(rounds.outcome.data)} when this feedback came. There is one outcome, when '
+        'the goal has ended or is lost.',
+        'once',
+    )
+    learner.run(2.6, step=1.0)
+    rounds.expect(
+        f'lost [{-value}]', 'numbers', 'All feedback for this goal counts, also what comes before it is accepted.'
+    )
+
+
+@pytest.mark.rules('names', 'at-once', 'send', 'deadline', 'numbers', 'once', 'word')
 @about('send')
 def test_server_comes_late(learner):
     """The client starts before the server; the deadline begins when the goal is accepted.
@@ -331,7 +376,7 @@ def test_server_comes_late(learner):
     check_no_wait(learner)
     expect(not outcome.data, f'There is no server, and /outcome said {shown(outcome.data)}.', 'send')
     server = learner.action_server(f'{space}/fibonacci', Fibonacci, plan)
-    late = draw.choice([1.2, 21.2, 62.2])
+    late = draw.choice([62.2, 81.2])  # no answer is no rejection
     server.late = {'goal': late}
     learner.settle()
     expect(
@@ -356,6 +401,7 @@ def test_server_comes_late(learner):
     )
     waited = server.goals[0].arrived - late - begin
     expect(waited < 0.21, f'The goal came {waited:.2f} s after the server: look for it every 0.1 s.', 'send')
+    _check_no_end_before(outcome, begin + late, late)
     expect(
         outcome.data and outcome.data[0].startswith('succeeded'),
         f'The server accepted the goal {late} s after it was sent, and needed {0.5 * order} s; with the patience '
@@ -363,7 +409,19 @@ def test_server_comes_late(learner):
         'deadline',
     )
     server.stop()
+    check_two_clients(learner, beside=node)
     _check_constructor(learner, node)
+
+
+def _check_no_end_before(outcome, end, late):
+    """The server, which needed `late` s to answer the goal, until `end` (s), has not been said to reject it."""
+    early = [text for text, stamp in zip(outcome.data, outcome.stamps, strict=True) if stamp < end]
+    expect(
+        early[:1] != ['rejected []'],
+        f'The server needed {late} s to answer the goal, and /outcome said {shown(early)} before. A server that has '
+        'not answered yet has not rejected the goal: the client has no deadline for this answer.',
+        'word',
+    )
 
 
 def _check_constructor(learner, node):

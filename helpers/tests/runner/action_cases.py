@@ -282,6 +282,31 @@ learner.run(1.9)
 assert news() == [('accepted True', 1.0), ('status 6', 1.5)], news()
 """,
     ),
+    'a client, its goal cancelled by somebody else': Case(
+        ASKS,
+        HEARD
+        + """
+from helpers.runner.action_peers import Canceled
+server = learner.action_server('/count', Fibonacci, [(0.5, Canceled())])
+learner.start('Talker')
+learner.run(1.9)
+assert news() == [('accepted True', 1.0), ('status 5', 1.5)], news()
+assert server.goals[0].status == 'canceled' and not server.cancel_stamps
+""",
+    ),
+    'a client that gets feedback before its goal is accepted': Case(
+        ASKS,
+        HEARD
+        + """
+server = learner.action_server('/count', Fibonacci, plan)
+server.late = {'goal': 0.5}
+learner.start('Talker')
+learner.run(1.2)
+server.tell_early(Fibonacci.Feedback())
+learner.run(0.7)
+assert news() == [('feedback', 1.2), ('accepted True', 1.5), ('feedback', 1.6), ('status 4', 1.8)], news()
+""",
+    ),
     'a client that cancels': Case(
         ASKS.replace('100.0', '0.05'),
         HEARD
