@@ -213,4 +213,16 @@ MUTANTS = [
     Mutant('subscription_of_depth_1', old='self.on_scan, sensor)', breaks='report', also=('gap', 'old', 'own-state', 'limit'),
            new='self.on_scan, QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))',
            expect='The depth of a subscription says how many messages it keeps'),
+    Mutant('counts_in_a_byte', old='self.count += 1', new='self.count = (self.count + 1) % 256', breaks='report',
+           expect='and scan_rate says'),
+    Mutant('first_report_is_zero', old=RATE, breaks='report', also='own-state', new="""
+        self.rate.publish(Float64(data=float(self.count if hasattr(self, 'going') else 0)))
+        self.going = True
+        """, expect='also the first report says'),
+    Mutant('three_old_ones_are_a_new_beginning', breaks='old', old=NEWEST, new="""
+        self.olds = getattr(self, 'olds', 0) + 1 if gap < 0 else 0
+        self.newest = stamp if gap >= 0 or self.olds == 3 else self.newest
+        """, expect='on scan_gap'),
+    Mutant('gaps_of_ten_days_at_most', breaks='gap', old='if gap > self.max_gap:', new='if self.max_gap < gap < 864_000:',
+           expect='nothing came on scan_gap'),
 ]

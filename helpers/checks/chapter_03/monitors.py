@@ -95,6 +95,12 @@ def check_zero(learner, **start) -> None:
         lidar.send(scan(stamp + step), scan(stamp + step))
         learner.jump(2.0)
         learner.run(1.1, step=1.0)
+    expect(
+        rates.data[:1] != [0.0],
+        'Three scans came in the first second of a monitor, and its first report says 0: also the first report says '
+        'how many have come.',
+        'report',
+    )
     counts = [count for count in rates.data if count]
     expect(
         counts[:1] != [2.0],
@@ -180,6 +186,12 @@ class Watched:
         if self.newest is None or stamp > self.newest + self.max_gap:
             self.last_gap = stamp
         self.newest = stamp if self.newest is None else max(self.newest, stamp)
+
+    def send_two(self, first: float, second: float) -> None:
+        """Two scans that come at one moment, and none of which makes a gap."""
+        self.lidar.send(scan(first))
+        self.newest = first
+        self.send(second)
 
     def end(self) -> None:
         """After a report: nothing more has come on scan_gap."""

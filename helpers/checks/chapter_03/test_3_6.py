@@ -43,16 +43,14 @@ def test_monitor(learner):
         watched.end()
         sent.append(count)
         check_reports(rates, sent, begin)
-    sent.append(random.randint(101, 115))  # a fast lidar
-    for _ in range(sent[-1]):
-        stamp += 0.015625
-        watched.send(stamp)
-    learner.run(1.0, step=1.0)
-    check_reports(rates, sent, begin)
     check_two_at_once(learner, rates, lidar, stamp)
     sent.append(2)
     stamp += 0.25
     watched.newest = stamp
+    sent.append(_send_many(watched, random))
+    stamp = watched.newest
+    learner.run(1.0, step=1.0)
+    check_reports(rates, sent, begin)
     silent = random.randint(61, 75)  # reports do not end after a minute
     sent += silent * [0]
     learner.run(silent, step=10.0)
@@ -83,17 +81,27 @@ def test_limits(learner):
     monitors.check_zero(learner)
 
 
+def _send_many(watched, random) -> int:
+    """Some old scans in a row, and then those of a fast lidar, more than a byte can count. Returns how many."""
+    stamp, old, pairs = watched.newest, random.randint(4, 6), random.randint(130, 139)
+    for _ in range(old):
+        watched.send(stamp - watched.max_gap - random.choice([0.25, 7.5, 100.125]))
+    for number in range(pairs):
+        watched.send_two(stamp + 0.015625 * number + 0.0078125, stamp + 0.015625 * (number + 1))
+    return old + 2 * pairs
+
+
 def draw_steps(random, max_gap):
     """By how many seconds each of 15 stamps is later than the newest one before it; an older scan has a negative step.
 
     A gap comes after the first stamp. An older scan comes in the same second as the newest, and max_gap follows; two
     gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another one is very late,
-    follows a gap of a day directly, and then comes a gap. The last but one has the stamp 0 again.
+    follows a gap of days directly, and then comes a gap. The last but one has the stamp 0 again.
     """
     late = -max_gap - random.choice([0.25, 0.5, 1.5])
     fresh = [0, max_gap + 0.125, max_gap, -0.125, max_gap]
     very_late = -random.choice([20.5, 75.25, 300.125])
-    day = max_gap + random.choice([90_000.25, 200_000.5])
+    day = max_gap + random.choice([1_000_000.25, 2_000_000.5])
     steps = [*fresh, *2 * [max_gap + 0.625], 0.125, late, max_gap, day, very_late, max_gap + 0.375]
     return [*steps, -sum(step for step in steps if step > 0), max_gap]
 
@@ -191,6 +199,12 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
     others = [
         value for at, value in zip(rates.stamps, rates.data, strict=True) if at > begin and abs(at - begin - 1.0) > 1e-6
     ]
+    expect(
+        own != [0.0],
+        'A second monitor heard 4 scans in its first second, and its first report says 0: also the first report says '
+        'how many have come.',
+        'report',
+    )
     expect(
         own == others == [4.0],
         f'Two monitors in the same program heard 4 scans each, and reported {others} and '
