@@ -64,7 +64,7 @@ MUTANTS = [
            edits=(('self.future = self.client.call_async(self.request)', 'answer = self.client.call(self.request)'),
             ('self.future.add_done_callback(self.on_answer)', "self.report('ok' if answer.success else 'refused')")),
            expect='A callback waits for an answer'),
-    Mutant('counter_runs_on', breaks='newest', also='tries',
+    Mutant('counter_runs_on', breaks='newest', also=('tries', 'no-server'),
            old='self.request, self.left = SetBool.Request(data=msg.data), self.tries', new='''
            self.request = SetBool.Request(data=msg.data)
            self.left = self.left if self.left > 0 else self.tries
@@ -277,4 +277,42 @@ class GripperClient(Node):
            expect='before any command'),
     Mutant('answer_is_not_looked_at', old='self.future.add_done_callback(self.on_answer)', new='', breaks='answer',
            also=('refusal', 'newest', 'no-server', 'late', 'names'), expect='has the future of each request a done-callback'),
+    Mutant('left_in_the_class', breaks='tries', also=('timeout', 'answer'), edits=(
+        ('self.tries, self.left, self.future = tries, 0, None', 'self.tries, self.future = tries, None'),
+        ('self.request, self.left = SetBool.Request(data=msg.data), self.tries',
+         'self.request, GripperClient.left = SetBool.Request(data=msg.data), self.tries'),
+        ('self.left -= 1', 'GripperClient.left -= 1')), expect='is kept in the class'),
+    Mutant('future_in_the_class', breaks='answer', edits=(
+        ('self.tries, self.left, self.future = tries, 0, None', """
+         self.tries, self.left = tries, 0
+         GripperClient.future = None
+         """),
+        ('self.future = self.client.call_async(self.request)', 'future = GripperClient.future = self.client.call_async(self.request)'),
+        ('self.future.add_done_callback(self.on_answer)', 'future.add_done_callback(self.on_answer)'),
+        ('if future is self.future:', 'if future is GripperClient.future:'),
+        ('self.future = None', 'GripperClient.future = None')), expect='in no variable of the class'),
+    Mutant('request_in_the_class', breaks='request', old='self.request, self.left', new='GripperClient.request, self.left',
+           expect='the other one had the command'),
+    Mutant('timer_in_the_class', breaks='tries', also=('timeout', 'answer', 'once'), old='self.timer = self.create_timer',
+           new='GripperClient.timer = self.create_timer', expect='is kept in the class'),
+    Mutant('timeout_in_tenths', breaks='timeout', also=('tries', 'request'), old='self.create_timer(timeout,',
+           new='self.create_timer(round(timeout, 1),', expect='expected at'),
+    Mutant('believes_the_message', breaks='answer', also=('refusal', 'once'),
+           old="'ok' if future.result().success else 'refused'", expect="and the message 'ok'",
+           new="'ok' if future.result().success or future.result().message == 'ok' else 'refused'"),
+    Mutant('believes_a_message_that_says_no', breaks='answer', also=('late', 'once'), old="'ok' if future.result().success else 'refused'",
+           new="'ok' if future.result().success and future.result().message != 'refused' else 'refused'",
+           expect="and the message 'refused'"),
+    Mutant('twenty_tries_at_most', breaks='tries', also='no-server', old='self.tries, self.left, self.future = tries, 0, None',
+           new='self.tries, self.left, self.future = min(tries, 20), 0, None', expect='`tries` may be any number'),
+    Mutant('nobody_is_no_first_try', breaks='no-server', old='self.request, self.left = SetBool.Request(data=msg.data), self.tries', new="""
+        self.request, self.left = SetBool.Request(data=msg.data), self.tries
+        if not self.client.service_is_ready():
+            return self.timer.reset()
+        """, expect='the first one, too'),
+    Mutant('keeps_the_last_try', breaks='newest', also=('request', 'tries'), old='self.request, self.left = SetBool.Request(data=msg.data), self.tries', new="""
+        if self.future is not None and self.left == 0 and self.request.data is msg.data:
+            return
+        self.request, self.left = SetBool.Request(data=msg.data), self.tries
+        """, expect='A new command has all its tries'),
 ]

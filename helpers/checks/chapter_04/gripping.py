@@ -230,35 +230,108 @@ def check_before_commands(words: str, reports: list[tuple[float, str]]) -> None:
     )
 
 
-def check_own_state(learner) -> None:
-    """Two clients in one program, in two namespaces, hear a command each, and their servers are silent.
+_OWN = 'Keep it in the object (self.… =): what is kept in the class, or outside of it, belongs to the one made last.'
 
-    What the first one does is judged: its server, its topic, its number of tries and its timeout are its own.
+
+class _Side:
+    """A client of the learner's in a namespace of its own, with its server, which is silent until it has an answer."""
+
+    def __init__(self, learner, space: str, timeout: float, tries: int, beside=None):
+        self.learner, self.timeout, self.tries = learner, timeout, tries
+        self.called = f'GripperClient({timeout}, {tries})'
+        self.server = learner.serve(f'{space}/set_gripper', SetBool, None)
+        self.states = learner.listen(f'{space}/gripper_state', String)
+        self.close = learner.talk(f'{space}/close', Bool)
+        self.node = learner.start('GripperClient', timeout, tries, beside=beside, remap={'__ns': space})
+        learner.settle()
+
+    def command(self, data: bool, answer=None) -> None:
+        """Send a command, and forget what came before it; the server gives this answer after 0.2 s, or none."""
+        self.server.requests.clear()
+        self.server.stamps.clear()
+        self.states.clear()
+        self.server.answer, self.server.delay = answer, 0.2
+        self.close.send(Bool(data=data))
+        with about('request'):
+            self.learner.settle()
+
+    @property
+    def asked(self) -> list[float]:
+        """When its requests came, in seconds from the first of them."""
+        return [round(stamp - self.server.stamps[0], 3) for stamp in self.server.stamps]
+
+    @property
+    def seen(self) -> tuple[list[float], list[bool], list[str]]:
+        """When its requests came, their data, and what it has reported."""
+        return self.asked, [request.data for request in self.server.requests], self.states.data
+
+
+def check_own_state(learner) -> None:
+    """A client does the same alone and when another one has been made, in one program and another namespace.
+
+    First their servers are silent, then each gives an answer of its own. What the first client does alone is judged by
+    other tests.
     """
     draw = learner.random
-    tries, timeouts = draw.sample([2, 4, 5], 2), draw.sample([0.3, 0.5, 0.8], 2)
-    servers, states, lines = [], [], []
-    node, spaces = None, ('/first', OTHER)
-    for space, *arguments in zip(spaces, timeouts, tries, strict=True):
-        servers.append(learner.serve(f'{space}/set_gripper', SetBool, None))
-        states.append(learner.listen(f'{space}/gripper_state', String))
-        lines.append(learner.talk(f'{space}/close', Bool))
-        made = learner.start('GripperClient', *arguments, beside=node, remap={'__ns': space})
-        node = node or made
-    learner.settle()
-    for line in lines:
-        line.send(Bool(data=True))
+    tries, timeouts, data = draw.sample([2, 4, 5], 2), draw.sample([0.3, 0.5, 0.8], 2), draw.choice([False, True])
+    first = _Side(learner, '/first', timeouts[0], tries[0])
+    first.command(data)
+    with about('request'):
+        learner.run(5.0, step=1.0)
+    alone = first.seen
+    first.command(True, {'success': True})
+    learner.run(0.6)
+    answered = first.seen
+    second = _Side(learner, OTHER, timeouts[1], tries[1], beside=first.node)
+    first.command(data)
+    second.command(not data)
     with about('request'):
         learner.run(5.0, step=1.0)
     story = 'Each heard a command, and its server is silent'
-    asked = [len(server.requests) for server in servers]
-    check_own('GripperClient', story, *asked, 'set_gripper', 'client', 'request')
-    seen = [round(stamp - servers[0].stamps[0], 3) for stamp in servers[0].stamps]
-    words = (
-        f'GripperClient({timeouts[0]}, {tries[0]}) is in one program with GripperClient({timeouts[1]}, {tries[1]}), '
-        f'made after it. {story}. The first one sent requests at {seen} s from the first of them'
+    check_own('GripperClient', story, *_counts(first, second), 'set_gripper', 'client', 'request')
+    both = f'{first.called} is in one program with {second.called}, made after it. '
+    _judge_silent(first, second, alone, f'{both}{story}. The first one sent requests')
+    counts = len(first.states), len(second.states)
+    check_own('GripperClient', story, *counts, 'gripper_state', 'publisher', 'answer')
+    said = first.states.data
+    expect(
+        said == alone[2],
+        f'{both}{story}. The first one reported {said}, expected {alone[2]}, as when it is alone. {_OWN}',
+        'tries',
     )
-    own = 'Keep it in the object (self.… =): what is kept in the class, or outside of it, belongs to the one made last.'
-    expect(len(seen) != tries[1], f'{words}: as many as the `tries` of the other one. {own}', 'tries')
-    expect(seen[1:2] != timeouts[1:], f'{words}: with the `timeout` of the other one. {own}', 'timeout')
-    check_own('GripperClient', story, *map(len, states), 'gripper_state', 'publisher', 'answer')
+    first.command(True, {'success': True})
+    learner.run(0.1)
+    second.command(True, {'success': False})
+    learner.run(0.5)
+    expect(
+        first.seen == answered,
+        f'{both}Each heard a command, the second one 0.1 s after the first, and each server answered after 0.2 s: that '
+        f'of the first client yes, that of the second one no. The first one sent requests at {first.asked} s from the '
+        f'first of them, and reported {first.states.data}, expected {answered[0]} and {answered[2]}, as when it is '
+        f'alone. {_OWN}',
+        'answer',
+    )
+
+
+def _counts(*sides: _Side) -> list[int]:
+    return [len(side.server.requests) for side in sides]
+
+
+def _judge_silent(first: _Side, second: _Side, alone, words: str) -> None:
+    """The requests of the first of two clients, whose server is silent: it has its own timeout, tries and command."""
+    if not first.server.stamps:  # why there is none, other tests say
+        return
+    seen, data, _ = first.seen
+    words = f'{words} at {seen} s from the first of them'
+    expect(len(seen) != second.tries, f'{words}: as many as the `tries` of the other one. {_OWN}', 'tries')
+    expect(seen[1:2] != [second.timeout], f'{words}: with the `timeout` of the other one. {_OWN}', 'timeout')
+    expect(
+        seen == alone[0],
+        f'{words}, expected at {alone[0]} s, as when it is alone. {_OWN}',
+        'timeout' if len(seen) == len(alone[0]) else 'tries',
+    )
+    expect(
+        data == alone[1],
+        f'{words}, with the data {data}, expected {alone[1]}: the other one had the command {not alone[1][0]}. {_OWN}',
+        'request',
+    )

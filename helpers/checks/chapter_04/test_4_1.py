@@ -67,7 +67,7 @@ def test_silent_server(learner):
     A timer with the period `timeout` tells when an answer is overdue.
     """
     draw = learner.random
-    timeout, tries, begin = draw.choice([0.12, 0.3, 0.45]), draw.choice([4, 5]), draw.choice([0.7, 1.3, 2.2])
+    timeout, tries, begin = draw.choice([0.12, 0.34, 0.45]), draw.choice([4, 5]), draw.choice([0.7, 1.3, 2.2])
     data = draw.choice([False, True])
     gripper = Gripper(learner, None, timeout, tries)
     states, server = gripper.states, gripper.server
@@ -189,9 +189,11 @@ def test_answers(learner):
     gripper = Gripper(learner, None)
     learner.run(draw.choice([0.4, 1.1]), step=1.0)
     _without_arguments(gripper, draw.choice([False, True]))
-    gripper.server.answer, gripper.server.delay = {'success': True, 'message': draw.choice(['', 'refused'])}, delay
+    # Whatever the message says, `success` counts.
+    gripper.server.answer = lambda request: {'success': True, 'message': 'refused' if request.data else ''}
+    gripper.server.delay = delay
     _in_time(gripper, delay)
-    _refused(gripper, draw.choice(['too hot', 'ok']))
+    _refused(gripper, 'ok')
     _late(gripper, draw.choice([1.1, 1.4]))
 
 
@@ -222,7 +224,8 @@ def _in_time(gripper, delay):
         )
         expect(
             states.data[0] == 'ok',
-            f"The server answered with success=True; gripper_state says {states.data}, expected ['ok'].",
+            f'The server answered with success=True and the message {"refused" if data else ""!r}; gripper_state says '
+            f"{states.data}, expected ['ok'].",
             'answer',
         )
         gripper.learner.run(3.5, step=1.0)
@@ -246,7 +249,8 @@ def _refused(gripper, message):
     )
     expect(
         states.data == ['refused'],
-        f"The server answered with success=False; gripper_state says {states.data}, expected ['refused'].",
+        f'The server answered with success=False and the message {message!r}; gripper_state says {states.data}, '
+        "expected ['refused'].",
         'answer',
     )
 
@@ -370,18 +374,24 @@ def _the_same_command_again(gripper, data, pause):
 
 
 def _while_a_server_is_silent(gripper, first, pause):
-    """Two commands without an answer, the second one in the middle of the tries of the first."""
+    """Two commands without an answer, the second one in the middle of the tries of the first; then in its last try."""
+    gripper.server.answer = None
+    for tries in (2, 3):
+        _while_silent(gripper, first, tries, round(tries - 1 + pause, 3))
+
+
+def _while_silent(gripper, first, tries, begin):
+    """Two commands with the same data, the second one at `begin`, when so many requests of the first have gone out."""
     learner, states, server = gripper.learner, gripper.states, gripper.server
-    server.answer = None
     states.clear()
     server.stamps.clear()
     for _ in range(2):
         gripper.close.send(Bool(data=first))
-        learner.run(1.0 + pause, step=1.0)
+        learner.run(begin, step=1.0)
     learner.run(5.0, step=1.0)
-    seen, begin = [round(stamp - server.stamps[0], 3) for stamp in server.stamps], round(1.0 + pause, 3)
+    seen = [round(stamp - server.stamps[0], 3) for stamp in server.stamps]
     expect(
-        seen == [0.0, 1.0, begin, begin + 1.0, begin + 2.0],
+        seen == [float(number) for number in range(tries)] + [begin, begin + 1.0, begin + 2.0],
         f'A silent server, two commands {begin} s apart: requests went out {seen} s after the first. A new command '
         'has all its tries, and its timer starts anew.',
         'newest',
@@ -445,7 +455,7 @@ def test_no_server(learner):
     A request to nobody is like one without an answer: do not wait for the service.
     """
     space, begin = learner.random.choice(['/left', '/arm_2', '/cell/north']), learner.random.choice([0.2, 0.6])
-    tries = learner.random.randint(11, 13)
+    tries = learner.random.randint(31, 33)
     states, close = learner.listen(f'{space}/gripper_state', String), learner.talk(f'{space}/close', Bool)
     with about('no-server'):
         node = learner.start('GripperClient', 1.0, tries, remap={'__ns': space})
@@ -529,7 +539,7 @@ def check_late_server(learner, states, begin: float, tries: int, space: str):
 def check_nobody(learner, states, close, tries: int) -> None:
     """Expect that a command to a server that never comes ends as one to a silent server does."""
     states.clear()
-    before = learner.slept
+    before, begin = learner.slept, learner.now / 1e9
     close.send(Bool(data=False))
     with about('no-server'):
         learner.run(tries + 1.5, step=1.0)
@@ -538,6 +548,13 @@ def check_nobody(learner, states, close, tries: int) -> None:
         states.data == ['failed'],
         f'No server is there; {tries + 1.5} s after a command gripper_state says {states.data}, expected one failed: a '
         'request to nobody counts as one without an answer.',
+        'no-server',
+    )
+    took = states.stamps[0] - begin
+    expect(
+        took == pytest.approx(tries),
+        f'No server is there; GripperClient(1.0, {tries}) reported failed {took:g} s after a command, expected after '
+        f'{tries} s: a request to nobody counts as one without an answer, the first one, too.',
         'no-server',
     )
 
