@@ -78,4 +78,5 @@ class FibonacciServer(Node):
     Alternative('rate', edits=(('numbers = []', 'numbers, rate = [], self.create_rate(2.0)'),
             ('self.get_clock().sleep_for(Duration(seconds=0.5))', 'rate.sleep()'))),
     Alternative('results_for_a_second', old='cancel_callback=', new='result_timeout=1, cancel_callback='),
+    Alternative('results_for_no_time', old='cancel_callback=', new='result_timeout=0, cancel_callback='),
 ]

@@ -203,7 +203,11 @@ def test_cancel_races(learner):
     late = short.cancel()
     learner.run(0.6)
     expect(short.status == 'succeeded', f'A goal cancelled after its end is {short.status}, expected succeeded.', 'end')
-    expect(late.answer == 'goal has ended', f'A cancel request after the end was answered: {late.answer}.', 'cancel')
+    expect(
+        late.answer in ('goal has ended', 'unknown goal'),  # a server may forget a goal that has ended
+        f'A cancel request after the end was answered: {late.answer}.',
+        'cancel',
+    )
 
 
 @pytest.mark.rules('goals', 'cancel')

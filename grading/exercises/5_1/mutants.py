@@ -198,4 +198,9 @@ goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
         if not goal.request.order:
             self.get_clock().sleep_for(Duration(seconds=0.5))
         ''', expect='The goal of order 0 ended 0.5 s after its start'),
+    Mutant('looks_at_the_newest_goal', breaks='goals', also=('cancel', 'partial'), edits=(('numbers = []', """
+        numbers = []
+        self.newest = goal
+        """), ('if goal.is_cancel_requested:', 'if self.newest.is_cancel_requested and goal.is_cancel_requested:')),
+           expect='two of them were cancelled, both between two steps'),
 ]
