@@ -31,11 +31,11 @@ def test_slow_lock(learner):
 
     The lock's client needs a callback group of its own, because enter awaits.
     """
-    delay = learner.random.choice([2.7, 4.1])
+    delay = learner.random.choice([62.7, 84.1])
     lock, enter, _, _ = guard(learner, {'success': True}, delay=delay)
     learner.run(0.4)
     call = enter.send()
-    learner.run(delay + 1.0, step=1.0)
+    learner.run(delay + 1.0, step=10.0)
     expect(told(call) == (True, 'welcome'), f'The lock opened, and enter says {told(call)}.', 'welcome')
     expect(
         call.received == pytest.approx(0.4 + delay),
@@ -50,7 +50,7 @@ def test_slow_lock(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('locked', 'one-thread')
+@pytest.mark.rules('locked', 'one-thread', 'open')
 @about('locked')
 def test_jammed_lock(learner):
     """If the lock refuses, enter answers with locked, and nobody has come in.
@@ -58,12 +58,12 @@ def test_jammed_lock(learner):
     Return the response on every path, and count only after the lock has opened.
     """
     lock, enter, _, _ = guard(learner, {'success': False})
-    for _ in range(learner.random.randint(3, 5)):
+    for number in range(1, learner.random.randint(15, 19)):
         call = enter.send()
         learner.run(0.2)
         expect(
             told(call) != (False, 'full'),
-            'The lock refused twice; then the guard says that the room is full, but '
+            'The lock refused some times; then the guard says that the room is full, but '
             'nobody is in it: count only who has come in.',
             'locked',
         )
@@ -71,6 +71,12 @@ def test_jammed_lock(learner):
             told(call) == (False, 'locked'),
             f"The lock refused, and enter says {told(call)}, expected (False, 'locked').",
             'locked',
+        )
+        expect(
+            len(lock.requests) == number,
+            f'enter was called {number} times, and the lock was asked {len(lock.requests)} times: ask it each time, '
+            'also if it has refused before.',
+            'open',
         )
     lock.answer = {'success': True}
     results = []

@@ -61,6 +61,12 @@ MUTANTS = [
         answer = await future or SetBool.Response()
         self.destroy_timer(limit)
         ''', expect='the lock answers after'),
+    Mutant('gives_up_after_a_minute', breaks='welcome', old=ASK, new='''
+        future = self.lock.call_async(SetBool.Request(data=False))
+        limit = self.create_timer(60.0, future.cancel, callback_group=self.lock.callback_group)
+        answer = await future or SetBool.Response()
+        self.destroy_timer(limit)
+        ''', expect='the lock answers after'),
     Mutant('leaves_without_success', breaks='leave', old='''
         self.inside = max(0, self.inside - 1)
         response.success = True
@@ -150,4 +156,11 @@ MUTANTS = [
            expect='without an argument `capacity` is 2'),
     Mutant('lock_in_the_class', old='self.lock = ', new='DoorGuard.lock = ', breaks='names',
            expect='came on /other/lock'),
+    Mutant('ten_refusals_are_enough', breaks='open', also='locked', old=ASK, new=f"""
+        if getattr(self, 'refused', 0) >= 10:
+            response.message = 'locked'
+            return response
+        {ASK}
+        self.refused = 0 if answer.success else getattr(self, 'refused', 0) + 1
+        """, expect='the lock got requests with data = []'),
 ]

@@ -37,7 +37,7 @@ class Room:
         before = len(self.lock.requests)
         call = self.doors['enter'].send()
         with about(rule), waiting('one-thread'):
-            self.learner.run(self.delay + 0.3, step=1.0)
+            self.learner.run(self.delay + 0.3, step=10.0)
         asked = self.lock.requests[before:]
         story = f'Capacity {self.capacity}, {story}: '
         if wanted != 'full':
@@ -75,7 +75,7 @@ class Room:
     def enter_slowly(self):
         """From the full room one leaves; the next one waits long for the lock, which opens all the same."""
         self.leave('one leaves')
-        quick, self.delay = self.delay, self.learner.random.choice([2.6, 3.4, 4.2])
+        quick, self.delay = self.delay, self.learner.random.choice([62.6, 91.4])
         self.lock.delay = self.delay
         story = f'{people(self.capacity - 1)} inside, the lock answers after {self.delay} s'
         self.enter('welcome', 'welcome', story)
@@ -126,7 +126,7 @@ def test_one_after_the_other(learner):
     room.lock.answer = {'success': False, 'message': learner.random.choice(['', 'jammed', 'welcome'])}
     room.enter('full', 'full', f'{people(capacity)} inside')
     room.leave('one leaves')
-    for number in range(capacity + 1):
+    for number in range(capacity + 10):
         room.enter(
             'locked',
             'locked',
