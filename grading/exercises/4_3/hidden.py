@@ -35,11 +35,11 @@ def test_both_at_the_same_time(learner):
     draw = learner.random
     battery, lidar, status, _ = panel(learner)
     learner.run(0.5)
-    for delays in (draw.choice([(0.6, 0.4), (0.4, 0.6), (0.9, 0.2)]), draw.choice([(4.1, 2.6), (2.6, 4.1)])):
+    for delays in (draw.choice([(0.6, 0.4), (0.4, 0.6), (0.9, 0.2)]), draw.choice([(74.1, 62.6), (62.6, 74.1)])):
         battery.delay, lidar.delay = delays
         begin, words = learner.now / 1e9, f'The parts needed {delays[0]} and {delays[1]} s, '
         call = status.send()
-        learner.run(max(delays) + 2.0, step=2.0)
+        learner.run(max(delays) + 2.0, step=10.0)
         expect(call.done, NEVER, 'one-thread')
         asked = [
             round(stamp - begin, 3) for part in (battery, lidar) for stamp in part.stamps[-1:] if stamp > begin - 0.001
@@ -160,7 +160,7 @@ def test_two_callers(learner):
     said = [{'success': True, 'message': 'first'}, *[{'success': False, 'message': 'second'}] * 5]
     battery.answer = iter(said)  # more than there are callers: who asks again is answered
     lidar.answer = iter([{'success': True, 'message': word} for word in ('one', 'two', *['more'] * 4)])
-    other = learner.client('/status', Trigger)
+    other, third = (learner.client('/status', Trigger) for _ in range(2))
     calls = [status.send(), other.send()]
     learner.run(2.0)
     expect(all(call.done for call in calls), NEVER, 'one-thread')
@@ -175,6 +175,26 @@ def test_two_callers(learner):
         told == [('battery: first; lidar: one', True), ('battery: second; lidar: two', False)],
         f'The battery said first (success) and second (no success); two callers at the same time were told {told}: '
         'two calls share what belongs to one of them.',
+        'callers',
+    )
+    _one_comes_later(learner, (battery, lidar), (status, other, third))
+
+
+def _one_comes_later(learner, parts, clients):
+    """Three callers, the third one while the requests of the others are open."""
+    for part in parts:
+        part.requests.clear()
+        part.answer = iter([{'success': True, 'message': f'no. {number}'} for number in range(1, 7)])
+    calls = [client.send() for client in clients[:2]]
+    learner.run(0.05)
+    calls.append(clients[2].send())
+    learner.run(3.0)
+    expect(all(call.done for call in calls), NEVER, 'one-thread')
+    told = sorted(call.response.message for call in calls)
+    expect(
+        told == [f'battery: no. {number}; lidar: no. {number}' for number in (1, 2, 3)],
+        f'Three callers asked, one of them 0.05 s later; the parts answered no. 1, no. 2 and no. 3; the callers were '
+        f'told {told}: each request asks each part, also while another one is open.',
         'callers',
     )
 

@@ -124,6 +124,12 @@ MUTANTS = [
         for end in ends:
             self.destroy_timer(end)
         ''', expect='Both always answer'),
+    Mutant('gives_up_after_a_minute', breaks='message', old=AWAIT, new='''
+        ends = [self.create_timer(60.0, future.cancel, callback_group=self.lidar.callback_group) for future in futures]
+        battery, lidar = [await future or Trigger.Response(message='no answer') for future in futures]
+        for end in ends:
+            self.destroy_timer(end)
+        ''', expect='Both always answer'),
     Mutant('strips_the_messages', old='{lidar.message}', new='{lidar.message.strip()}', breaks='message',
            edits=(('{battery.message}', '{battery.message.strip()}'),), expect='The message of the status is'),
     Mutant('eight_questions_at_most', edits=(('async def on_status(self, request, response):', '''
@@ -151,4 +157,31 @@ MUTANTS = [
     ],
     Mutant('lidar_with_a_typing_error', old="'lidar/check'", new="'lidar/chek'", breaks='names',
            also=('same-time', 'message', 'success', 'fresh', 'callers', 'one-thread'), expect='letter by letter'),
+    Mutant('two_callers_at_most', breaks='callers', edits=(("self.create_service(Trigger, 'status', self.on_status)", """
+        self.open = 0
+        self.create_service(Trigger, 'status', self.on_status, callback_group=ReentrantCallbackGroup())
+        """), (FUTURES, f"""
+        if self.open == 2:
+            response.message = 'busy'
+            return response
+        self.open += 1
+        {FUTURES}
+        """), (AWAIT, f"""
+        {AWAIT}
+        self.open -= 1
+        """)), imports='from rclpy.callback_groups import ReentrantCallbackGroup', expect='also while another one is open'),
+    Mutant('joins_a_question_that_is_open', breaks='callers', edits=(("self.create_service(Trigger, 'status', self.on_status)", """
+        self.open = None
+        self.create_service(Trigger, 'status', self.on_status, callback_group=ReentrantCallbackGroup())
+        """), (FUTURES, f"""
+        now = self.get_clock().now()
+        if self.open and self.open[0] < now:
+            futures = self.open[1]
+        else:
+            {FUTURES}
+            self.open = now, futures
+        """), (AWAIT, f"""
+        {AWAIT}
+        self.open = None
+        """)), imports='from rclpy.callback_groups import ReentrantCallbackGroup', expect='also while another one is open'),
 ]

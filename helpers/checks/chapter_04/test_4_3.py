@@ -68,10 +68,10 @@ def _call_again(learner, status, parts, number):
 
 
 def _wait_long(learner, status, parts, number):
-    """The last call, the one with this number: each part answers in the end, one of them after some seconds."""
+    """The last call, the one with this number: each part answers in the end, after more than a minute."""
     draw, said = learner.random, [f'{learner.random.randint(1, 99)} %' for _ in parts]
-    slow = draw.choice([2.6, 3.4, 4.2])
-    for part, delay, text in zip(parts, draw.sample([slow, 1.4], 2), said, strict=True):
+    slow = draw.choice([75.6, 93.4])
+    for part, delay, text in zip(parts, draw.sample([slow, 61.4], 2), said, strict=True):
         part.delay, part.answer = delay, {'success': True, 'message': text}
     words = (
         f'The battery answers after {parts[0].delay} s with {said[0]!r}, the lidar after {parts[1].delay} s with '
@@ -79,7 +79,7 @@ def _wait_long(learner, status, parts, number):
     )
     begin = learner.now / 1e9
     call = status.send()
-    learner.run(slow + 0.5, step=1.0)
+    learner.run(slow + 0.5, step=10.0)
     _look_at_questions(call, begin, *parts, number, words)
     wanted = f'battery: {said[0]}; lidar: {said[1]}'
     expect(
@@ -156,7 +156,7 @@ def _look_at_status(call, begin, slow, good, said, words):
 @pytest.mark.rules('names', 'callers')
 @about('callers')
 def test_two_callers(learner):
-    """In a namespace all names move with the node; two callers at the same time get an answer each.
+    """In a namespace all names move with the node; callers at the same time get an answer each.
 
     Relative names. What belongs to one call stays in local variables.
     """
@@ -169,13 +169,13 @@ def test_two_callers(learner):
         'names',
     )
     parts = [learner.serve(f'{space}/{part}/check', Trigger, None) for part in ('battery', 'lidar')]
-    clients = [learner.client(f'{space}/status', Trigger) for _ in range(2)]
+    clients = [learner.client(f'{space}/status', Trigger) for _ in range(3)]
     learner.settle()
     check_names(learner, space, clients[0], *parts)
     delays = [(0.3, 0.2), (0.2, 0.3)]  # each of the parts is the first one to answer
     draw.shuffle(delays)
     for pair in delays:
-        _look_at_two(learner, clients, parts, pair)
+        _look_at_three(learner, clients, parts, pair)
     check_own_parts(learner, node, clients[0], parts)
 
 
@@ -195,31 +195,34 @@ def check_own_parts(learner, node, client, parts):
         check_own('StatusPanel', 'The first one was asked for its status', *counts, name, 'clients', 'names')
 
 
-def _look_at_two(learner, clients, parts, delays):
-    """Two callers ask at the same time, and each is told what the parts have said to it, after these delays."""
-    words, counts = learner.random.sample(WORDS, 4), [len(part.requests) for part in parts]
-    said = [dict(zip((True, False), two, strict=True)) for two in (words[:2], words[2:])]
+def _look_at_three(learner, clients, parts, delays):
+    """Three callers ask, one of them a little later, and each is told what the parts have said to it."""
+    words, counts = learner.random.sample(WORDS, 6), [len(part.requests) for part in parts]
+    good = [True, False, True]
+    said = [words[:3], words[3:]]
     for part, delay, texts in zip(parts, delays, said, strict=True):
         part.delay = delay
-        part.answer = iter([{'success': good or part is parts[1], 'message': text} for good, text in texts.items()])
-    calls = [client.send() for client in clients]
-    learner.run(2.0, step=1.0)
-    expect(
-        all(call.done for call in calls), 'Two callers asked at the same time, and not both got an answer.', 'callers'
-    )
+        part.answer = iter(
+            [{'success': ok or part is parts[1], 'message': text} for ok, text in zip(good, texts, strict=True)]
+        )
+    calls = [client.send() for client in clients[:2]]
+    learner.run(0.1)
+    calls.append(clients[2].send())
+    learner.run(2.5, step=1.0)
+    story = 'Three callers asked, two of them at the same time and one 0.1 s later'
+    expect(all(call.done for call in calls), f'{story}, and not all of them got an answer.', 'callers')
     asked = [len(part.requests) - count for part, count in zip(parts, counts, strict=True)]
+    told = sorted((call.response.message, call.response.success) for call in calls)
     expect(
-        asked == [2, 2],
-        f'Two callers asked at the same time: the battery was asked {asked[0]} times, the lidar '
-        f'{asked[1]} times, expected 2 and 2.',
+        asked == [3, 3],
+        f'{story}: the battery was asked {asked[0]} times, the lidar {asked[1]} times, expected 3 and 3. They were '
+        f'told {told}. Each request asks each part, also while another one is open.',
         'callers',
     )
-    told = sorted((call.response.message, call.response.success) for call in calls)
-    wanted = sorted((f'battery: {said[0][good]}; lidar: {said[1][good]}', good) for good in (True, False))
+    wanted = sorted((f'battery: {first}; lidar: {second}', ok) for first, second, ok in zip(*said, good, strict=True))
     expect(
         told == wanted,
-        f'Two callers asked at the same time. The battery answered {words[0]!r} (success) and '
-        f'{words[1]!r} (no success), the lidar {words[2]!r} and {words[3]!r}; they were told {told}. What belongs to '
-        'one call must stay in local variables.',
+        f'{story}. The battery answered {said[0]} (the second time without success), the lidar {said[1]}; they were '
+        f'told {told}. What belongs to one call must stay in local variables.',
         'callers',
     )
