@@ -1,6 +1,6 @@
 """Hidden tests of exercise 4.2, a careful camera."""
 
-from math import inf, nan
+from math import inf, nan, nextafter
 
 import pytest
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -129,6 +129,10 @@ def test_limits_belong_to_it(learner):
     height = learner.random.randint(2000, 9000)
     accepted(client, 'principal-point', 'The limit of k[5] is its height.', height=height, cy=height - 0.5)
     refused(client, 'principal point', height=height, cx=640.5)
+    for place, most in (('cx', float(width)), ('cy', float(height))):
+        for value in (nextafter(most, inf), nextafter(0.0, -1.0)):
+            hint = 'Compare the numbers as they are, without rounding.'
+            refused(client, 'principal point', hint, width=width, height=height, **{place: value})
 
 
 @pytest.mark.weight(2)

@@ -160,4 +160,8 @@ MUTANTS = [
            expect='Header, binning, roi'),
     Mutant('publisher_in_the_class', old='self.publisher = ', new='Camera.publisher = ', breaks='publish',
            expect='came on /other/camera_info'),
+    Mutant('limits_with_a_tolerance', breaks='principal-point', old='0 <= k[2] <= info.width', new='-1e-6 <= k[2] <= info.width + 1e-6',
+           expect='without rounding'),
+    Mutant('point_in_whole_pixels', breaks='principal-point', also='nan', old='0 <= k[5] <= info.height',
+           new='abs(k[5]) < inf and 0 <= int(k[5]) <= info.height', expect='[5] ='),
 ]

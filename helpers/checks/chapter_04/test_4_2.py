@@ -1,6 +1,6 @@
 """Visible tests of exercise 4.2, a careful camera."""
 
-from math import inf, nan
+from math import inf, nan, nextafter
 
 import pytest
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -90,8 +90,14 @@ def _text(changes):
         'bend': 'd[0]',
         'skew': 'k[1]',
     }
-    told = {name: repr(value) if isinstance(value, str) else f'{value!r:.7}' for name, value in changes.items()}
+    told = {name: repr(value) if isinstance(value, str) else _short(value) for name, value in changes.items()}
     return ', '.join(f'{names.get(name, name)} = {value}' for name, value in told.items()) or 'good numbers'
+
+
+def _short(value: float) -> str:
+    """The number with few digits, but with all of them where they alone tell it from a whole number."""
+    text = f'{value!r:.7}'
+    return repr(value) if 'e' in repr(value) or float(text).is_integer() else text
 
 
 @pytest.mark.rules(
@@ -119,10 +125,7 @@ def test_words(learner):
         some.accepted('focal-length', 'A focal length has no upper limit.', **{place: 1e200})
     some.refused('focal length', hint='Both must be positive.', fx=low, fy=low)
     some.accepted('focal-length', 'A focal length has no upper limit.', fx=1e200, fy=1e200)
-    for changes in ({'cx': 0.0}, {'cx': float(width)}, {'cy': 0.0}, {'cy': float(height)}):
-        some.accepted('principal-point', LIMITS, **changes)
-    for changes in ({'cx': low}, {'cx': width + 0.5}, {'cx': inf}, {'cy': low}, {'cy': height + 0.5}, {'cy': -inf}):
-        some.refused('principal point', **changes)
+    _look_at_limits(some, low)
     for changes in (*({'model': name} for name in OTHER_MODELS), {'d': 0}, {'d': 4}, {'d': 6}, {'d': 8}):
         some.refused('distortion', hint=HINTS['distortion'], **changes)
     some.accepted(
@@ -147,8 +150,23 @@ def test_words(learner):
     some.refused('principal point', 'order', hint, cx=low, d=0)
     some.accepted('accept', 'It came after some that were refused.')
     large = learner.random.randint(20_000, 2**32 - 1)
-    some.accepted('accept', 'A size has no upper limit.', width=large, height=large)
+    for size in (large, 2**32 - 1):
+        some.accepted('accept', 'A size has no upper limit.', width=size, height=size)
     check_drawn(learner, some.client, heard, 60)
+
+
+def _look_at_limits(some, low):
+    """The limits of the principal point, from both sides, and the least focal lengths; `low` is less than 0."""
+    for place, most in (('cx', float(some.width)), ('cy', float(some.height))):
+        for value in (0.0, most):
+            some.accepted('principal-point', LIMITS, **{place: value})
+        for value in (low, most + 0.5, inf, -inf):
+            some.refused('principal point', **{place: value})
+        for value in (nextafter(most, inf), nextafter(0.0, -1.0)):
+            some.refused('principal point', hint=f'{LIMITS} Compare without rounding.', **{place: value})
+    for place in ('fx', 'fy'):
+        some.accepted('focal-length', 'Each number above 0 is positive.', **{place: 5e-324})
+        some.refused('focal length', hint='Each number below 0 is negative.', **{place: -5e-324})
 
 
 @pytest.mark.rules('names', 'publish', 'unchanged', 'latched')
