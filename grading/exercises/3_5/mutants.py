@@ -128,4 +128,10 @@ MUTANTS = [
         """, expect='however many there were before', breaks='rest'),
     Mutant('publisher_in_the_class', edits=(('self.publisher =', 'SafetyStop.publisher ='),), breaks='rest',
            expect='what is kept in the class, or outside of it'),
+    Mutant('scan_with_a_deadline', old='self.on_scan, sensor)', breaks='scan', expect='requests the policy deadline',
+           new='self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=1)))',
+           imports='from rclpy.duration import Duration'),
+    Mutant('scan_with_a_liveliness', old='self.on_scan, sensor)', breaks='scan', expect='requests the policy liveliness',
+           new='self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, '
+               'liveliness=LivelinessPolicy.MANUAL_BY_TOPIC))', imports='from rclpy.qos import LivelinessPolicy'),
 ]

@@ -36,6 +36,13 @@ def start(learner, space: str):
         'scan arrives. Ask for no more than is offered.',
         'scan',
     )
+    limits = ', '.join(f'{policy} {value}' for policy, value in theirs.limits.items())
+    expect(
+        not limits,
+        f'Your subscription to scan requests the policy {limits}, which the lidar does not offer: no scan arrives. Ask '
+        'for no more than is offered.',
+        'scan',
+    )
     # Only now: a lidar may start later, and then it finds the request as it is.
     lidar = learner.talk(f'{space}/scan', LaserScan, qos_profile_sensor_data, strict=False)
     ours = learner.endpoints(f'{space}/stop').publishers[0]
