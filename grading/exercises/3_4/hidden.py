@@ -10,6 +10,7 @@ from helpers.checks.chapter_03.maps import (
     LATCHED,
     check_answers,
     check_grid,
+    check_not_again,
     check_once,
     check_own_answers,
     grid_of,
@@ -65,6 +66,7 @@ def test_one_map_only(learner):
     learner.run(10.1, step=1.0)
     learner.run(300.0, step=100.0)
     expect(len(maps) == 1, f'{len(maps)} maps came in 310 s, expected 1. Do not repeat in a timer: latch.', 'one-map')
+    check_not_again(learner, maps)
     learner.start('MapServer', random_rows(learner.random), beside=first)
     learner.settle()
     expect(len(maps) == 2, f'A second server published {len(maps) - 1} maps when it started, expected 1.', 'one-map')

@@ -115,4 +115,17 @@ MUTANTS = [
            expect='the map is 100 wide'),
     Mutant('publisher_of_the_reader_in_the_class', breaks='walls', expect='what is kept in the class, or outside of it',
            old="self.publisher = self.create_publisher(Int32", new="MapReader.publisher = self.create_publisher(Int32"),
+    Mutant('again_for_each_subscriber', breaks='one-map', old=PUBLISH, new="""
+        grid = OccupancyGrid(header=Header(frame_id='map'), info=info, data=data)
+        self.publisher.publish(grid)
+        self.known = 1
+
+        def look():
+            there = self.publisher.get_subscription_count()
+            if there > self.known:
+                self.publisher.publish(grid)
+            self.known = max(there, self.known)
+
+        self.create_timer(0.5, look)
+        """, expect='When another subscriber had come'),
 ]

@@ -68,6 +68,18 @@ def grid_of(rows: list[str], frame: str = 'map', resolution: float = 0.1) -> Occ
     return grid
 
 
+def check_not_again(learner, maps) -> None:
+    """The one map that has come is not published again for another subscriber: a latched map reaches it, too."""
+    learner.late_listener(maps.topic, OccupancyGrid, ALL_KEPT)
+    learner.run(11.0, step=10.0)
+    expect(
+        len(maps) == 1,
+        f'When another subscriber had come, the map was published again: {len(maps)} maps came, expected one. '
+        'TRANSIENT_LOCAL gives the map to those who come late, without another publication.',
+        'one-map',
+    )
+
+
 def check_once(maps, index: int) -> None:
     """The map with this index is the first that its publisher has sent: a late listener does not hear the others."""
     number = maps.numbers[index]

@@ -10,6 +10,7 @@ from helpers.checks.chapter_03.maps import (
     LATCHED,
     check_answers,
     check_grid,
+    check_not_again,
     check_once,
     check_own_answers,
     grid_of,
@@ -46,6 +47,7 @@ def test_server(learner):
         f'{len(maps)} maps came in {seconds} s, expected one. Nothing needs to be repeated: a latched map is kept.',
         'one-map',
     )
+    check_not_again(learner, maps)
     learner.start('MapServer', other, beside=server)
     learner.settle()
     expect(
