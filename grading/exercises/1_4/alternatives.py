@@ -55,4 +55,42 @@ class GoToGoal(Node):
             command.linear.x = min(1.0, distance) * max(0.0, math.cos(error)) ** 9
         self.wheel.publish(command)
 '''),
+    Alternative('pure_function_and_match', source='''
+from dataclasses import dataclass
+from functools import partial
+
+
+@dataclass(frozen=True)
+class Goal:
+    x: float
+    y: float
+
+    def seen_from(self, pose):
+        to_goal = complex(self.x - pose.x, self.y - pose.y)
+        ahead = to_goal * complex(math.cos(pose.theta), -math.sin(pose.theta))
+        return abs(ahead), math.atan2(ahead.imag, ahead.real)
+
+
+def decide(distance, error):
+    match distance, abs(error):
+        case far, _ if far < 0.06:
+            return 0.0, 0.0
+        case _, wrong if wrong > 0.2:
+            return 0.0, math.copysign(min(2.5, 3 * wrong), error)
+    return min(2.0, 1.5 * distance), 3 * error
+
+
+class GoToGoal(Node):
+    def __init__(self, x, y):
+        super().__init__('go_to_goal')
+        say = self.create_publisher(Twist, 'turtle1/cmd_vel', 10).publish
+        self.create_subscription(Pose, 'turtle1/pose', partial(self.answer, Goal(x, y), say), 10)
+
+    @staticmethod
+    def answer(goal, say, pose):
+        command = Twist()
+        command.linear.x, command.angular.z = decide(*goal.seen_from(pose))
+        say(command)
+'''),
+    Alternative('coroutine', edits=(('def on_pose', 'async def on_pose'),)),
 ]

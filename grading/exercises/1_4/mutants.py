@@ -107,4 +107,12 @@ MUTANTS = [
            expect='the goal of a second object of your class', breaks='reach'),
     Mutant('near_is_straight_ahead', old='if abs(error) < 0.3:', new='if abs(error) < 0.3 or distance < 0.5:',
            expect='Turn first, also if the goal is near', breaks='short-way'),
+    Mutant('thirty_centimetres_are_straight_ahead', old='if abs(error) < 0.3:', new='if abs(error) < 0.3 or distance < 0.3:',
+           expect='Turn first, also if the goal is near', breaks='short-way'),
+    Mutant('arrived_for_all', edits=(('self.x, self.y = x, y', 'self.x, self.y = x, y; GoToGoal.arrived = False'),
+                                     ('if distance > 0.05:', '''
+                                     GoToGoal.arrived = GoToGoal.arrived or distance <= 0.05
+                                     if not GoToGoal.arrived:
+                                     ''')),
+           expect='A second object of your class, in another namespace, drove', breaks='reach'),
 ]

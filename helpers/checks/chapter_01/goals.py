@@ -43,6 +43,22 @@ class Drive:
             space = {'__ns': f'{self.space}/second'}
             self.learner.start('GoToGoal', *self.goal_beside, beside=self.node, remap=space)
 
+    def other_one_drives(self) -> None:
+        """That object gets poses now, of a turtle of its own, and comes to its goal, too."""
+        goal = self.goal_beside
+        if goal is None:
+            raise ValueError('there is no other one: call begin_another before')
+        sim = TurtleSim(self.learner, *self.start, namespace=f'{self.space}/second')
+        with about('reach'):
+            sim.run(AT_MOST, until=lambda: sim.distance(*goal) < WITHIN)
+        expect(
+            sim.distance(*goal) < WITHIN,
+            'A second object of your class, in another namespace, drove its turtle after the first one had come to its '
+            f'goal, and after {AT_MOST:g} s was still {sim.distance(*goal):.2f} m away from its own. Keep in self what '
+            'the node knows and does: what stands in the class, or outside of it, is the same for all objects.',
+            'reach',
+        )
+
     def check_ends(self) -> None:
         """Name, topics and queues are as specified."""
         expect(
@@ -291,11 +307,11 @@ def goal_behind(learner, side: int) -> Drive:
     return Drive(learner, (11.087, y, heading), goal)
 
 
-def near_behind(learner) -> Drive:
-    """The goal is 0.4 m behind the turtle, and no wall is near."""
+def near_behind(learner, far: float) -> Drive:
+    """The goal is so far (m) behind the turtle, and no wall is near."""
     start, _ = far_places(learner.random)
     away = learner.random.uniform(-3.1, 3.1)
-    goal = start[0] - 0.4 * math.cos(away), start[1] - 0.4 * math.sin(away)
+    goal = start[0] - far * math.cos(away), start[1] - far * math.sin(away)
     heading = away + learner.random.choice([-1, 1]) * learner.random.uniform(0.1, 0.5)
     return Drive(learner, (*start, math.remainder(heading, 2 * math.pi)), goal)
 

@@ -18,6 +18,7 @@ def test_any_goal(learner):
     drive.begin_another()
     drive.to_the_goal()
     drive.stays(2.0)
+    drive.other_one_drives()
 
 
 @pytest.mark.rules('reach', 'stop')
@@ -60,4 +61,7 @@ def test_near_goal_behind(learner):
 
     How far the goal is does not say in which direction it is.
     """
-    goals.near_behind(learner).turns_on_the_spot()
+    for far in (0.4, learner.random.uniform(0.16, 0.2)):
+        drive = goals.near_behind(learner, far)
+        drive.turns_on_the_spot()
+        drive.node.stop()  # two drivers would steer one turtle
