@@ -68,4 +68,18 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
         return None, 'unknown Ubuntu'
     return None, 'not released yet' if {row for row in rows if row[1] > month} else 'end of life'
 '''),
+    Alternative('named_pair', edits=(
+        ("return max(supported, key=lambda name: mine[name][2]), 'supported'",
+         "return Choice(max(supported, key=lambda name: mine[name][2]), 'supported')"),
+        ("return None, 'unknown Ubuntu'", "return Choice(None, 'unknown Ubuntu')"),
+        ("return None, 'not released yet' if to_come else 'end of life'",
+         "return Choice(None, 'not released yet' if to_come else 'end of life')"),
+    ), imports='''
+from typing import NamedTuple
+
+
+class Choice(NamedTuple):
+    name: str | None
+    reason: str
+'''),
 ]

@@ -33,3 +33,4 @@ def test_other_tables(learner):
         for _ in range(4):
             distributions.check(learner, distributions.drawn_cases(learner.random))
             distributions.check(learner, distributions.border_cases(learner.random))
+            distributions.check(learner, distributions.crowded_cases(learner.random))

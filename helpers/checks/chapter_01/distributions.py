@@ -69,7 +69,10 @@ def cases(random: Random) -> list[Case]:
         ],
         'ended': [('20.04', '2026-11'), ('22.04', '2027-06'), ('24.04', '2029-06'), ('26.04', '2040-01')],
         'to-come': [('26.04', '2026-04'), ('24.04', '2023-11'), ('22.04', '2020-12')],
-        'unknown': [('23.10', '2026-11'), ('18.04', '2020-06'), ('24', '2025-06'), ('', '2026-01')],
+        'unknown': [
+            *(('23.10', '2026-11'), ('18.04', '2020-06'), ('24', '2025-06'), ('', '2026-01')),
+            *(('24.04 ', '2025-06'), ('24.040', '2025-06')),  # nearly one of the table, and another text
+        ],
     }
     return [
         Case(rule, ubuntu, month) for rule, pairs in asked.items() for ubuntu, month in random.sample(pairs, len(pairs))
@@ -138,6 +141,22 @@ def _drawn_rows(random: Random, year: int, leap: int, systems: tuple[str, ...]) 
         rows.insert(random.randint(0, len(rows)), row)
     rows.insert(random.randint(0, len(rows)), ['42.04', f'{year}-08', f'{leap}-02'])  # to the 29th
     return rows
+
+
+def crowded_cases(random: Random) -> list[Case]:
+    """A table with seven distributions for one Ubuntu, one that is supported for a month, and names of all kinds."""
+    year = random.randint(2051, 2088)
+    ends = [3, 4, 2, 5, 9, 6, 7]  # from both ends of the table, some come before the one that ends last
+    rows = {
+        name: ['48.04', f'{year + random.randint(-3, 0)}-{random.randint(1, 9):02}', f'{year + end}-06']
+        for name, end in zip(random.sample(_NAMES, len(ends)), ends, strict=True)
+    }
+    month = f'{year + 1}-{random.randint(1, 12):02}'
+    for number, name in enumerate(_LETTERS):
+        rows[name] = [f'{50 + 2 * number}.10', month if number == 0 else f'{year}-02', month]
+    table = {name: SentAsTuple(row) for name, row in rows.items()}
+    asked = [('months', f'{50 + 2 * number}.10') for number in range(len(_LETTERS))]
+    return [Case(rule, ubuntu, month, table) for rule, ubuntu in [('ends-last', '48.04'), *asked]]
 
 
 def border_cases(random: Random) -> list[Case]:

@@ -18,5 +18,7 @@ def test_choice(learner):
         distributions.check(learner, distributions.cases(learner.random))
     with about('table'):
         distributions.check(learner, distributions.drawn_cases(learner.random))
+    with about('table'):
+        distributions.check(learner, distributions.crowded_cases(learner.random))
     with about('months'):
         distributions.check(learner, distributions.border_cases(learner.random))
