@@ -71,4 +71,42 @@ def diagnose(environ, python='3.12'):
             faults['ROS_AUTOMATIC_DISCOVERY_RANGE'] = 'unknown'
     return faults
 '''),
+    Alternative('comprehension', source='''
+from collections import ChainMap
+from functools import partial
+
+
+def of_distribution(folder):
+    match folder.split('/'):
+        case ['', 'opt', 'ros', name, *_]:
+            return {name}
+    return set()
+
+
+def other_python(python, folder):
+    parts = (part.removeprefix('python') for part in folder.split('/') if part.startswith('python'))
+    return any('.' in version and version != python for version in parts)
+
+
+def judgements(settings, python):
+    path, reach = settings['AMENT_PREFIX_PATH'], settings['ROS_AUTOMATIC_DISCOVERY_RANGE']
+    named = set().union(*map(of_distribution, path.split(':')))
+    yield 'AMENT_PREFIX_PATH', 'not sourced', not path
+    yield 'AMENT_PREFIX_PATH', 'mixed', len(named | ({settings['ROS_DISTRO']} - {''} if named else set())) > 1
+    yield 'PYTHONPATH', 'other Python', any(map(partial(other_python, python), settings['PYTHONPATH'].split(':')))
+    domain = settings['ROS_DOMAIN_ID']
+    try:
+        yield 'ROS_DOMAIN_ID', 'not a domain', bool(domain) and int(domain) not in range(102)
+    except ValueError:
+        yield 'ROS_DOMAIN_ID', 'not a domain', True
+    yield 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'off', reach == 'OFF'
+    known = ('', 'OFF', 'SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
+    yield 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'unknown', reach not in known
+
+
+def diagnose(environ, python='3.12'):
+    names = ('AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DISTRO', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE')
+    settings = ChainMap(environ, dict.fromkeys(names, ''))
+    return {name: fault for name, fault, wrong in judgements(settings, python) if wrong}
+'''),
 ]

@@ -189,4 +189,17 @@ MUTANTS = [
         reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
         reach = reach.rstrip()
         """, expect='letter by letter', breaks='unknown'),
+    Mutant('distro_in_any_letters', old=MIXED, breaks='ros-distro', also='mixed',
+           new="elif distros and len({one.lower() for one in distros | {environ.get('ROS_DISTRO') or min(distros)}}) > 1:",
+           expect='a capital letter makes another name'),
+    Mutant('distro_of_ros_in_small_letters', old="environ.get('ROS_DISTRO')", new="environ.get('ROS_DISTRO', '').lower()",
+           expect='a capital letter makes another name', breaks='ros-distro'),
+    Mutant('path_in_small_letters', old="for folder in prefixes.split(':')]", new="for folder in prefixes.lower().split(':')]",
+           expect='a capital letter makes another name', breaks='ros-distro', also='mixed'),
+    Mutant('distro_without_blanks', old="environ.get('ROS_DISTRO')", new="environ.get('ROS_DISTRO', '').strip()",
+           expect='A blank counts', breaks='ros-distro'),
+    Mutant('rolling_does_not_count', old='len(part) > 3}', new="len(part) > 3 and part[3] != 'rolling'}",
+           expect='whatever stands behind /opt/ros/', breaks='mixed'),
+    Mutant('python_in_any_letters', old=PYTHON, new=PYTHON.replace('part.startswith', 'part.lower().startswith'),
+           expect='a part with a capital P', breaks='python'),
 ]

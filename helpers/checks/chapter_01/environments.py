@@ -8,11 +8,13 @@ from helpers.runner.first_call import FirstCall
 
 DISTROS = ('foxy', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical')
 INVENTED = ('meadow', 'nimbus', 'orchard')  # nobody knows what a distribution will be called
+KNOWN_TOO = ('rolling', 'noetic')  # of which the other cases name none
 PEOPLE = ('ada', 'linus', 'grace', 'alan')
 PYTHONS = ('3.8', '3.10', '3.11', '3.12', '3.13')
 RANGES = ('SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
 BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10', '7th', '²')
 BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB', 'OFFLINE', ' LOCALHOST', 'SUBNET ')
+LETTERS = 'Names of folders are compared letter by letter: a capital letter makes another name.'
 ANY_NAME = 'Two distributions are in the path: whatever stands behind /opt/ros/ is the name of one.'
 OTHER_PATHS = 'Of the variables with paths only AMENT_PREFIX_PATH and PYTHONPATH count here.'
 PREFIX, PYTHON, DOMAIN, RANGE = 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE'
@@ -119,7 +121,11 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
             Case('mixed', {PREFIX: f'/opt/ros/{distro}:/opt/ros/{one}', 'ROS_DISTRO': one}, mixed, sourced)
             for one in more  # of so many pairs, few know more than one by heart
         ],
-        Case('mixed', {PREFIX: f'{two[0]}:/opt/ros/{random.choice(INVENTED)}'}, mixed, ANY_NAME),
+        *[
+            Case('mixed', {PREFIX: f'{two[0]}:/opt/ros/{one}'}, mixed, ANY_NAME)
+            for one in (random.choice(INVENTED), *KNOWN_TOO)
+        ],
+        Case('mixed', {PREFIX: f'{two[0]}:/opt/ros/{distro.capitalize()}'}, mixed, LETTERS),
         Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: ':'.join(two), 'ROS_DISTRO': ''}, mixed, 'Two distributions are in the path.'),
         *[
@@ -138,6 +144,14 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
             Case('ros-distro', {PREFIX: f'/opt/ros/{one}', 'ROS_DISTRO': two}, mixed, 'These are two names.')
             for one, two in ((distro, longer), (longer, distro))
         ],
+        *[
+            Case('ros-distro', {PREFIX: f'/opt/ros/{distro}', 'ROS_DISTRO': one}, mixed, LETTERS)
+            for one in (distro.capitalize(), distro.upper())
+        ],
+        Case(
+            'ros-distro', {PREFIX: f'/opt/ros/{distro}', 'ROS_DISTRO': f'{distro} '}, mixed, 'A blank is a character.'
+        ),
+        Case('ros-distro', {PREFIX: '/opt/ros/Meadow', 'ROS_DISTRO': 'Meadow'}, {}, LETTERS),
     ]
 
 
@@ -246,6 +260,12 @@ def _odd_pythons(random: Random, good: dict, elsewhere: str) -> list[Case]:
             )
             for above, below in (('3.12', '3.10'), ('3.10', '3.12'))
         ],
+        Case(
+            'python',
+            {PREFIX: good[PREFIX], PYTHON: f'/srv/Python{random.choice(("2.7", "3.10"))}/lib:{good[PYTHON]}'},
+            {},
+            'Names of folders are compared letter by letter: a part with a capital P is not pythonX.Y.',
+        ),
         Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y: python3 alone is none.'),
         Case('python', within, {}, 'No part is pythonX.Y and nothing more, as it stands between two slashes.'),
     ]
