@@ -7,6 +7,7 @@ import configparser
 import email
 import json
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
@@ -22,6 +23,8 @@ GIVEN = Path(__file__).with_name('given')
 DISTRO = {'ROS_DISTRO': 'jazzy', 'ROS_VERSION': '2', 'ROS_PYTHON_VERSION': '3'}  # what the condition of a line sees
 # What colcon writes into `share` itself
 COLCON = re.compile(r'share/(\w+/(package\.(?!xml)\w+|hook/.*)|colcon-core/.*)')
+# What setup.py says of a package -> the field in which it is installed
+_BESIDES = {'licence': 'License', 'maintainer': 'Maintainer', 'email': 'Maintainer-email', 'description': 'Summary'}
 _PYTHON_TOOLS = 'ament_python', 'python3-setuptools'
 ODOMETRY_MANIFESTS = 'WHEEL_MATH_XML', 'ODOMETRY_XML'  # the two files package.xml of exercise 2.4
 
@@ -208,6 +211,7 @@ class Metadata(NamedTuple):
     programs: dict[str, str]  # name -> right side
     lists: list[str]  # of entry points: console_scripts, and others
     requires: list[str]  # other Python packages that must be there, with what is asked of their version
+    about: dict[str, str]  # what it says besides, if it does: licence, maintainer, email, description
 
 
 def metadata(workspace: ExerciseWorkspace, package_name: str) -> Metadata | None:
@@ -233,7 +237,16 @@ def metadata(workspace: ExerciseWorkspace, package_name: str) -> Metadata | None
     requires = [line for line in said.get_all('Requires-Dist', []) if 'extra ==' not in line]
     if not requires and 'requires.txt' in found:  # where setuptools before 68 writes it; extras have a title
         requires = workspace.read(found['requires.txt']).partition('[')[0].split()
-    return Metadata(str(said['Name']), str(said['Version']), scripts, programs.sections(), requires)
+    besides = {word: ' '.join(str(said[field]).split()) for word, field in _BESIDES.items() if said[field]}
+    if 'licence' not in besides and 'License-Expression' in said:  # setuptools 77 and later
+        besides['licence'] = str(said['License-Expression'])
+    return Metadata(str(said['Name']), str(said['Version']), scripts, programs.sections(), requires, besides)
+
+
+def unasked(requires: list[str], allowed: Iterable[str] = ()) -> list[str]:
+    """Those of the required Python packages that are neither allowed nor the one that `ros2 pkg create` requires."""
+    names = {'setuptools', *allowed}
+    return [one for one in requires if re.split(r'[^\w.-]', one.strip())[0].lower().replace('_', '-') not in names]
 
 
 def to_run(found: dict[str, set[str]]) -> set[str]:

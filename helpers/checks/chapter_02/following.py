@@ -18,6 +18,8 @@ _PYTHON = re.compile(
 )
 # setuptools 72 and later do not know tests_require, which `ros2 pkg create` writes.
 _UNKNOWN_OPTION = re.compile("Unknown distribution option: '(\\w+)'")
+# What follow.py imports, as setup.py calls it: who requires these says what is so.
+_REQUIRED = 'pyyaml', 'ament-index-python', 'geometry-msgs'
 IMPORTED = ('geometry_msgs', 'ament_index_python', 'python3-yaml')
 SAID = 'forward 0.20 m/s, turn -0.08 rad/s'
 # tag -> text in package.xml
@@ -169,11 +171,17 @@ def judge_dependencies(learner) -> None:
             )
         more = builds.needed(declared) - set(IMPORTED)
         expect(not more, f'package.xml declares {", ".join(sorted(more))}, which follow.py does not import.')
+        for tag in ('conflict', 'replace'):
+            names = declared.get(tag, set())
+            expect(
+                not names, f'package.xml has a line {tag}, for {", ".join(sorted(names))}: it had none, and needs none.'
+            )
 
 
 def judge_rest(learner) -> None:
     """Names, versions, licence and the one program are as before: rule `rest`."""
-    name, version, programs = _metadata(learner)[:3]
+    found = _metadata(learner)
+    name, version, programs = found[:3]
     expect(
         (name, version) == ('line_follower', '0.1.0'),
         f'setup.py says {name} {version}, and said line_follower 0.1.0 before.',
@@ -185,6 +193,7 @@ def judge_rest(learner) -> None:
         f'setup.py has a further program, {others and others[0]}. Only `follow` is asked for.',
         'rest',
     )
+    _judge_said(found)
     installed = [name for name in builds.line_follower(learner).installed() if name.startswith('line_follower/')]
     _judge_files([name.removeprefix('line_follower/') for name in installed])  # what is beside it, colcon has written
     root = builds.manifest('FOLLOWER_XML', learner.text('FOLLOWER_XML'))
@@ -208,6 +217,25 @@ def judge_rest(learner) -> None:
         f'The email of the maintainer in package.xml is {address}, and was {EMAIL} before. It was no fault.',
         'rest',
     )
+
+
+def _judge_said(found: builds.Metadata) -> None:
+    """setup.py requires no other Python package, and says nothing else than package.xml does: rule `rest`."""
+    required = builds.unasked(found.requires, _REQUIRED)
+    expect(
+        not required,
+        f'setup.py says that line_follower requires {required and required[0]}, of which follow.py imports nothing. '
+        'It required nothing before.',
+        'rest',
+    )
+    for word, wanted in (('licence', KEPT['license']), ('maintainer', KEPT['maintainer']), ('email', EMAIL)):
+        said = found.about.get(word, wanted)
+        expect(
+            said == wanted,
+            f'setup.py gives the {word} {said}, and in package.xml it was {wanted}: leave it out of setup.py, or write '
+            'the same.',
+            'rest',
+        )
 
 
 def _judge_files(there: list[str]) -> None:
