@@ -90,4 +90,44 @@ class Bridge(Node):
     def on_chatter(self, msg):
         self.mouth.publish(String(data=msg.data))
 '''),
+    Alternative('exit_stack_and_coroutine', source='''
+from contextlib import ExitStack, contextmanager
+from functools import partial
+
+
+@contextmanager
+def present(domain, name):
+    node = join(domain, name)
+    try:
+        yield node
+    finally:
+        leave(node)
+
+
+def who_hears(speaker, listeners, seconds=3.0):
+    ears = {}
+    with ExitStack() as stack:
+        for domain in listeners:
+            node = stack.enter_context(present(domain, f'ear_{domain}'))
+            node.create_subscription(String, 'roll_call', partial(ears.__setitem__, domain), 10)
+            ears[domain] = None
+            stack.enter_context(spinning(node))
+        say = stack.enter_context(present(speaker, 'mouth')).create_publisher(String, 'roll_call', 10).publish
+        end = time.monotonic() + seconds
+        while None in ears.values() and time.monotonic() < end:
+            say(String(data='who is there?'))
+            time.sleep(0.02)
+        return sorted(domain for domain, word in ears.items() if word)
+
+
+class Bridge(Node):
+    def __init__(self, other_domain):
+        super().__init__('bridge')
+        self.far = join(other_domain, 'bridge')
+        self.say = self.far.create_publisher(String, 'chatter', 10).publish
+        self.create_subscription(String, 'chatter', self.carry, 10)
+
+    async def carry(self, message):
+        self.say(message)
+'''),
 ]

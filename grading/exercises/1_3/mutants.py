@@ -170,4 +170,12 @@ class Bridge(Node):
            expect='a bridge', breaks='measures'),
     Mutant('listeners_are_not_spun', old='spin_for(0.02, node)', new='time.sleep(0.02)', breaks='measures', also='in-time',
            expect='no callback of its own listener was called'),
+    Mutant('as_many_as_a_byte_counts', old="self.create_subscription(String, 'chatter', self.publisher.publish, 10)", new="""
+        left = list(range(255))
+        self.create_subscription(
+            String, 'chatter', lambda msg: left and (left.pop(), self.publisher.publish(msg)), 10)
+        """, expect='each one, once', breaks='carries'),
+    Mutant('best_effort_there', old="self.other_side.create_publisher(String, 'chatter', 10)",
+           new="self.other_side.create_publisher(String, 'chatter', qos_profile_sensor_data)",
+           imports='from rclpy.qos import qos_profile_sensor_data', expect='BEST_EFFORT', breaks='carries'),
 ]
