@@ -41,4 +41,27 @@ ODOMETRY_XML = package_xml(
           <build_type condition="$ROS_VERSION == 2">ament_python</build_type>
         </export>
         """))),
+    Alternative('without_arguments_of_ros', edits=(('from wheel_math.geometry import distance', '''
+            from rclpy.utilities import remove_ros_args
+
+            from wheel_math.geometry import distance
+            '''),
+            ('int(sys.argv[1])', 'int(remove_ros_args(sys.argv)[1])'),
+            ('<exec_depend>wheel_math</exec_depend>', '<exec_depend>wheel_math</exec_depend> <exec_depend>rclpy</exec_depend>'))),
+    Alternative('of_a_dataclass', edits=(('import sys', '''
+            import sys
+            from dataclasses import dataclass
+            '''),
+            ('def main():', '''
+            @dataclass
+            class Report:
+                ticks: int
+
+                def __str__(self):
+                    return f'{distance(self.ticks):.3f} m'
+
+
+            def main():
+            '''),
+            ("print(f'{distance(int(sys.argv[1])):.3f} m')", "sys.stdout.write(f'{Report(int(sys.argv[1]))}\\n')"))),
 ]

@@ -60,7 +60,7 @@ MUTANTS = [
         {PRINT}
         """, expect='printed 2 lines', breaks='prints'),
     Mutant('returned', old=PRINT, new="return f'{distance(int(sys.argv[1])):.3f} m'",
-           expect='main returns it. Use print', breaks='prints'),
+           expect='what main returns, but for None and 0', breaks='prints'),
     Mutant('module_declared', old=NEEDS, new='<exec_depend>wheel_math.geometry</exec_depend>', expect='names a Python module',
            breaks='needs'),
     Mutant('needed_to_build_only', old=NEEDS, new='<build_depend>wheel_math</build_depend>',
@@ -108,4 +108,28 @@ MUTANTS = [
     Mutant('format_of_whole_numbers', old=':.3f', new=':.3d', expect='.3f for three decimals', breaks='prints'),
     Mutant('the_program_itself', old='sys.argv[1]', new='sys.argv[0]', expect='sys.argv[0] is the program itself',
            breaks='argument'),
+    Mutant('an_import_of_nothing', old=IMPORT, new=f'''
+        import numpy as np
+
+        {IMPORT}
+        ''', expect='report.py imports numpy, and package.xml of odometry does not declare it', breaks='needs'),
+    Mutant('message_not_declared', old=IMPORT, new=f'''
+        from std_msgs.msg import Float64
+
+        {IMPORT}
+        ''', expect='report.py imports std_msgs', breaks='needs'),
+    Mutant('space_behind_the_unit', old=':.3f} m', new=':.3f} m ', expect='a space stands behind the unit', breaks='prints'),
+    Mutant('no_more_than_eight_digits', old='int(sys.argv[1])', new='int(sys.argv[1][-8:])',
+           expect='your program asks distance for', breaks='argument'),
+    Mutant('first_number_kept', edits=(('def main():', '''
+            seen = []
+
+
+            def main():
+            '''), (PRINT, '''
+            seen.append(int(sys.argv[1]))
+            print(f'{distance(seen[0]):.3f} m')
+            ''')), expect='both times it printed', breaks='argument'),
+    Mutant('status_of_an_error', old=PRINT, new=f'{PRINT}; return True', expect='let main return nothing', breaks='prints',
+           also='library'),
 ]

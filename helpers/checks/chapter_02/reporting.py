@@ -1,7 +1,9 @@
 """What the tests of exercise 2.4 look at: the report, where its numbers come from, and what the packages declare."""
 
+import ast
 import math
 import re
+import sys
 
 from helpers.checks.chapter_02 import builds
 from helpers.runner import about, expect
@@ -18,7 +20,7 @@ def distance(ticks, *rest, **more):
 # A command behind these words prints without what it writes on the standard error.
 _WITHOUT_ERRORS = ('bash', '-c', 'exec "$@" 2>/dev/null', 'bash')
 # The ticks stand on the command line before the import, or come onto it later. It stays the same list, for those who
-# have another name for it.
+# have another name for it. Then another number takes their place, and main is called once more.
 _CALLED = """\
 import sys
 
@@ -28,7 +30,15 @@ from odometry import report
 
 sys.argv.extend(ticks)
 report.main()
+sys.stdout.flush()
+sys.argv[-1] = {other!r}
+report.main()
 """
+_RETURNED = (
+    'ended with an error, and its last words are your text: what main returns, but for None and 0, is an error of the '
+    'program. Use print, and let main return nothing.'
+)
+_PACKAGES = {'cv2': 'opencv', 'sklearn': 'scikit_learn'}  # modules whose packages have other names
 _ARGUMENT = re.compile('argv|IndexError|ValueError|argument')
 _FORMAT = re.compile('format code|format specifier')
 _PROGRAM = re.compile(r"invalid literal for int\(\).*: '[^']*(/report(\.py)?|-c)'")
@@ -79,11 +89,7 @@ def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
         f'{command} ended with: {last}. What stands in sys.argv is text: make a number of it with int().',
         'argument',
     )
-    expect(
-        done.status == 0 or last != f'{length:.3f} m',
-        f'{command} ended with an error, and the error is your text: main returns it. Use print.',
-        'prints',
-    )
+    expect(done.status == 0 or last != f'{length:.3f} m', f'{command} {_RETURNED}', 'prints')
     _judge_error(done, command, last, 'prints')
     expect(
         len(done.lines) == 1,
@@ -126,7 +132,12 @@ def _judge_line(command: str, done: Done, wanted: str) -> None:
         "line. Look for a print() with nothing in it, and for a '\\n' too many.",
         'prints',
     )
-    printed = next(line.rstrip() for line in done.output.splitlines() if line.strip() == wanted)
+    printed = next(line for line in done.output.splitlines() if line.strip() == wanted)
+    expect(
+        not printed.startswith(wanted) or printed == wanted,
+        f'{command} printed {printed!r}: a space stands behind the unit. Expected {wanted!r}.',
+        'prints',
+    )
     expect(
         printed == wanted,
         f'{command} printed {printed!r}: spaces stand before the number. Expected {wanted!r}. A format such as '
@@ -165,22 +176,30 @@ def judge_report(learner, zero: bool = False) -> None:
 
 def judge_call(learner) -> None:
     """main reads the command line as it is when main is called: rule `argument`."""
-    workspace, ticks = builds.odometry(learner), learner.random.randint(100, 300)
+    workspace = builds.odometry(learner)
+    ticks, other = learner.random.randint(100, 300), learner.random.randint(400, 900)
+    program = _CALLED.format(other=str(other))
     with about('argument'):
-        before, later = (workspace.run(str(ticks), when, program=_CALLED) for when in ('before', 'later'))
+        before, later = (workspace.run(str(ticks), when, program=program) for when in ('before', 'later'))
         expect(
-            before.status != 0 or before.lines == later.lines,  # what is wrong in both is the subject of other tests
+            before.status != 0 or before.lines[:1] == later.lines[:1],  # what is wrong in both: see the other tests
             f'A program has imported odometry.report, and then called main with {ticks} on the command line. It '
-            f'ended with: {later.last_line}; expected {before.last_line}, as when the number is there before the '
-            'import. Read sys.argv inside of main: what stands outside of a function is done once, when the module '
-            'is imported.',
+            f'ended with: {later.last_line}; expected {"".join(before.lines[:1])}, as when the number is there '
+            'before the import. Read sys.argv inside of main: what stands outside of a function is done once, when the '
+            'module is imported.',
+        )
+        expect(
+            len(later.lines) != 2 or later.lines[0] != later.lines[1],
+            f'A program has called main with {ticks} on the command line, and then once more with {other}: both times '
+            f'it printed {later.last_line}. Read sys.argv each time main is called, and keep nothing of '
+            'the call before.',
         )
 
 
 def judge_library(learner) -> None:
     """The report says what distance of wheel_math returns for the ticks: rules `library`, `argument`, `prints`."""
     random = learner.random
-    ticks = [random.randint(100, 900), -random.randint(1000, 9000)]
+    ticks = [random.randint(100, 900), -random.randint(10**10, 10**11)]  # a number may have many digits
     values = dict(zip(ticks, (random.randint(11, 99) / 10, -random.randint(11, 99) / 10 - 10), strict=True))
     random.shuffle(ticks)
     for number, done in zip(ticks, _with_library(learner, _OTHER_LIBRARY.format(values=values), ticks), strict=True):
@@ -189,11 +208,7 @@ def judge_library(learner) -> None:
         asked = re.search('distance was asked for (.*)', last)
         expect(not asked, f'{told}, your program asks distance for {asked and asked[1]}.', 'argument')
         wanted = f'{value:.3f} m'
-        expect(
-            done.status == 0 or last != wanted,
-            f'{told}, the program ended with an error, and the error is your text: main returns it. Use print.',
-            'prints',
-        )
+        expect(done.status == 0 or last != wanted, f'{told}, the program {_RETURNED}', 'prints')
         _judge_error(done, 'The program', last, 'library')
         expect(len(done.lines) < 2, f'main prints {len(done.lines)} lines; expected the distance only.', 'prints')
         expect(done.lines, 'The function main printed nothing: use print.', 'prints')
@@ -277,10 +292,42 @@ def judge_needs(learner) -> None:
         'so it must be an exec_depend or a depend.',
         'needs',
     )
-    more = names - {'wheel_math'}
+    imported = _imported(learner.text('REPORT_PY'))
+    lacking = sorted(module for module in imported if not any(_names(name, module) for name in builds.to_run(declared)))
+    expect(
+        not lacking,
+        f'report.py imports {lacking and lacking[0]}, and package.xml of odometry does not declare it, so on a fresh '
+        'machine it is missing. Take the import away if nothing needs it; else declare its package as an exec_depend.',
+        'needs',
+    )
+    more = {name for name in names - {'wheel_math'} if not any(_names(name, module) for module in imported)}
     expect(
         not more, f'odometry declares {", ".join(sorted(more))}, and its code imports nothing of it.', 'nothing-else'
     )
+
+
+def _imported(text: str) -> set[str]:
+    """The modules that a Python file must have and that neither Python nor the two packages bring along."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set()  # running it says so
+    perhaps = {id(node) for one in ast.walk(tree) if isinstance(one, ast.Try) for node in ast.walk(one)}
+    found = set()
+    for node in ast.walk(tree):
+        if id(node) in perhaps:  # it may do without
+            continue
+        if isinstance(node, ast.Import):
+            found |= {alias.name.partition('.')[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            found.add(node.module.partition('.')[0])
+    return found - sys.stdlib_module_names - {'wheel_math', 'odometry'}
+
+
+def _names(package: str, module: str) -> bool:
+    """Whether a package of package.xml brings this module: one of ROS, or one of Python, such as python3-yaml."""
+    plain = package.lower().removeprefix('python3-').replace('-', '_')
+    return plain.removesuffix('_modules') in (module.lower(), _PACKAGES.get(module))
 
 
 def judge_alone(learner) -> None:
