@@ -30,4 +30,28 @@ setup(
         name + ' = greeter.' + function for name, function in
         {'hello': 'hello:main', 'goodbye': 'farewell:main', 'battery': 'power.battery:report'}.items()
         '''),
+    Alternative('a_dictionary_of_options', source="""
+GREETER_SETUP = '''
+from functools import partial
+from pathlib import Path
+
+import setuptools
+
+PROGRAMS = {'hello': ('hello', 'main'), 'goodbye': ('farewell', 'main'), 'battery': ('power.battery', 'report')}
+options = dict(name='greeter', version='0.1.0')
+options |= {'packages': [str(path.parent).replace('/', '.') for path in Path('greeter').rglob('__init__.py')]}
+options['install_requires'] = ['setuptools']
+share = partial('share/{}'.format)
+options['data_files'] = [
+    (share('ament_index/resource_index/packages'), ['resource/greeter']),
+    (share('greeter'), ['package.xml']),
+]
+options['entry_points'] = dict(console_scripts=[
+    f'{name}=greeter.{module}:{function}' for name, (module, function) in PROGRAMS.items()
+])
+
+if __name__ == '__main__':
+    setuptools.setup(**options)
+'''
+"""),
 ]

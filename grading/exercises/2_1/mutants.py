@@ -55,4 +55,6 @@ MUTANTS = [
     Mutant('one_name_for_two_programs', old='goodbye = greeter', new='hello = greeter',
            expect="cannot read one of its arguments: Duplicate element EntryPoint(name='hello'", breaks='builds',
            also='goodbye'),
+    Mutant('requires_what_is_called_alike', old='    entry_points={', new="    install_requires=['setuptools', 'setuptools-scm>=8'],\n    entry_points={",
+           expect='says that greeter requires setuptools-scm', breaks='rest'),
 ]
