@@ -68,4 +68,14 @@ DOCK_XML = package_xml(
             string message
             bool docked
             """))),
+    Alternative('files_that_cmake_finds', edits=(('find_package(std_msgs REQUIRED)', '''
+            foreach(name std_msgs)
+              find_package(${name} REQUIRED)
+            endforeach()
+            '''),
+            ('rosidl_generate_interfaces(${PROJECT_NAME} "msg/Charge.msg" "srv/Dock.srv" DEPENDENCIES std_msgs)', '''
+            file(GLOB files RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} msg/*.msg srv/*.srv)
+            rosidl_generate_interfaces(${PROJECT_NAME} ${files} DEPENDENCIES std_msgs)
+            ament_export_dependencies(rosidl_default_runtime)
+            '''))),
 ]

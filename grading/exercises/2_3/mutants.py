@@ -81,4 +81,8 @@ MUTANTS = [
            expect='The request of Dock has a constant, RETRIES', breaks='request'),
     Mutant('constant_of_the_response', old='bool docked', new='bool docked\nuint8 BUSY=1',
            expect='The response of Dock has a constant, BUSY', breaks='response'),
+    Mutant('for_python', old='<build_type>ament_cmake', new='<build_type>ament_python', breaks='both',
+           expect='The build type in DOCK_XML is ament_python'),
+    Mutant('called_otherwise', old='<name>dock_interfaces</name>', new='<name>docking</name>', breaks='both',
+           expect='The package is called docking in DOCK_XML'),
 ]

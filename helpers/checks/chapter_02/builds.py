@@ -82,9 +82,28 @@ def dock_interfaces(learner) -> ExerciseWorkspace:
     )
     done = workspace.build(check=False)
     if done.status != 0:
+        _check_how_it_is_built(learner)
         message, rule = interface_faults.cause(done.output, reason)
         raise broken(f'colcon build failed: {message}', rule)
     return workspace
+
+
+def _check_how_it_is_built(learner) -> None:
+    """Name and build type in the package.xml of exercise 2.3: a build that fails does not say that they are wrong."""
+    with about('to-build'):
+        root = manifest('DOCK_XML', learner.text('DOCK_XML'))
+        found = type_in(root)
+    expect(
+        found == 'ament_cmake',
+        f'The build type in DOCK_XML is {found or "not given"}, expected ament_cmake: CMake makes code of interfaces.',
+        'both',
+    )
+    name = (root.findtext('name') or '').strip()
+    expect(
+        name == 'dock_interfaces',
+        f'The package is called {name} in DOCK_XML, expected dock_interfaces, as CMakeLists.txt says in project().',
+        'both',
+    )
 
 
 def interface(learner, cases: list | None = None) -> tuple[dict, list | None]:
