@@ -9,6 +9,8 @@ pytestmark = pytest.mark.exercise('2.5')
 
 WRONG = {
     'does not come back to the first station': 'back = 0\n    return [one for one in stations[back:]]',
+    'comes back to the last station, and not to the first one': 'there = stations[:]\n    return there + there[-1:]',
+    'leaves the first station out': 'return stations[1:] + stations[:1]',
     'leaves the second station out': 'there = list(stations)\n    del there[1:2]\n    return there + [stations[0]]',
     'leaves the last station out': 'there = list(stations)\n    return there[: max(1, len(there) - 1)] + there[:1]',
     'gives the stations in reverse order': 'there = list(stations)[::-1]\n    there.append(there[0])\n    return there',
@@ -51,8 +53,8 @@ def test_route(learner):
 
     The names are sys.argv[1:].
     """
-    number = learner.random.randint(4, 6)
-    patrolling.judge_route(learner, sorted(learner.random.sample(patrolling.STATIONS, number), reverse=True))
+    drawn = learner.random.sample(patrolling.STATIONS, learner.random.randint(4, 6))
+    patrolling.judge_route(learner, sorted(drawn, reverse=True), drawn[:1])
 
 
 @pytest.mark.rules('stations', 'announce')

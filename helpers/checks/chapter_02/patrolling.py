@@ -30,6 +30,7 @@ MATCHED = 4.0  # s, until all that belongs to the node is seen
 HEARD = 10.0  # s, until the names have come
 _NO_TESTS = 5  # the status of pytest if it finds none
 SLOW, FAST = 0.9, 0.35  # s between two names: the shortest pause must be below the one, the mean above the other
+AT_ONCE = 0.02  # s: two names so near to each other come from one call; calls of a timer are so near by chance only
 _ALWAYS = 'ament_index_python', 'rclpy', 'std_msgs'
 
 _CALL = """\
@@ -45,6 +46,8 @@ for stations, one in zip(given, found):
 # What a function does that is wrong -> its body
 WRONG = {
     'does not come back to the first station': 'return list(stations)',
+    'comes back to the last station, and not to the first one': 'return [*stations, stations[-1]]',
+    'leaves the first station out': 'return [*stations[1:], stations[0]]',
     'leaves the second station out': 'return [*stations[:1], *stations[2:], stations[0]]',
     'leaves the last station out': 'return [*stations[: max(1, len(stations) - 1)], stations[0]]',
     'gives the stations in reverse order': 'return [*reversed(stations), stations[-1]]',
@@ -303,8 +306,9 @@ def judge_announce(learner, stations: list[str]) -> None:
         expect(SHARED in installed, f'share/patrol/{DATA} is not installed: name {DATA} in data_files of setup.py.')
     with about('announce'):
         _there(workspace, 'announce')
-        for end in ('\n', ''):  # many editors leave out the last end of a line
-            _judge_node(learner, workspace, stations, end)
+        # Many editors leave out the last end of a line. The order of a set is right in one of two orders at most.
+        for order, end in ((stations, '\n'), (stations[::-1], '')):
+            _judge_node(learner, workspace, order, end)
 
 
 def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str], end: str) -> None:
@@ -312,7 +316,8 @@ def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str], end:
     # Not in the folder of the workspace: a path that begins there leads to the sources.
     command = 'printf %s "$1" > "$2" && cd /tmp && exec ros2 run patrol announce'
     text = '\n'.join(stations) + end
-    task = workspace.start('bash', '-c', command, 'bash', text, f'install/{SHARED}')
+    same_sets = {'PYTHONHASHSEED': '1'}  # each set of these names has the same order each time
+    task = workspace.start('bash', '-c', command, 'bash', text, f'install/{SHARED}', environment=same_sets)
     with Observer(learner) as observer:
         names, stamps = [], []
         _until(observer, observer.nodes, task, TIMEOUT)
@@ -363,10 +368,21 @@ def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str], end:
         task.end()
     expect(names, f'In {HEARD:g} s nothing came on /next_station. Is the node spun, and has its timer a callback?')
     _judge_names(names[:wanted], stations)
+    _judge_rate(stamps, enough)
+
+
+def _judge_rate(stamps: list[float], all_came: bool) -> None:
+    """When the names were sent (s): twice a second."""
     expect(
-        enough and min(_pauses(stamps), default=0.0) < SLOW,
+        all_came and min(_pauses(stamps), default=0.0) < SLOW,
         f'Between two names pass {min(_pauses(stamps), default=HEARD):.1f} s at least, expected 0.5 s. The first '
         'argument of create_timer is a period in seconds, not a rate.',
+    )
+    at_once = [pause for pause in _pauses(stamps) if pause < AT_ONCE]
+    expect(
+        len(at_once) < (len(stamps) - 1) // 2,
+        f'{len(at_once)} of {len(stamps)} names came within {AT_ONCE:g} s of the one before, and then nothing for a '
+        'while: publish one name each time the timer calls, and let it call every 0.5 s.',
     )
     between = (stamps[-1] - stamps[0]) / (len(stamps) - 1)
     expect(between > FAST, f'Between two names pass {between:.2f} s in the mean, expected 0.5 s.')
@@ -579,7 +595,8 @@ def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str], told
         for body in order:
             status, said = _pytest(learner, {ROUTE: _with(own[ROUTE], body)})
             expect(status != _NO_TESTS, f'{TESTS} notices nothing: {said}.')
-            more = f': {said}' if told else '. Compare the whole list, and ask for nothing that the card does not.'
+            by_name = ' The card names no parameter: give the list without a name.' if 'keyword arg' in said else ''
+            more = f': {said}.{by_name}' if told else f'. {_ASK_NO_MORE}'
             expect(
                 body not in rights or status == 0, f'Your tests do not pass with another round_trip that is right{more}'
             )
@@ -592,9 +609,20 @@ def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str], told
             )
 
 
+_ASK_NO_MORE = (
+    'Compare the whole list, give the list without the name of a parameter, and ask for nothing that the card does not.'
+)
+
+
 def _with(module: str, body: str) -> str:
-    """The learner's module with another function in it, which is written differently each time."""
-    function = disguise.disguised(f'def round_trip(stations):\n    {body}\n', ['append', 'copy'], SystemRandom())
+    """The learner's module with another function in it, which is written differently each time.
+
+    The card names no parameter, so that of a right function may have any name: here it can be given without it only.
+    """
+    random = SystemRandom()
+    given = f'places_{random.randrange(10**6)}'
+    text = f'def round_trip({given}, /):\n    stations = {given}\n    {body}\n'
+    function = disguise.disguised(text, ['append', 'copy'], random)
     return f'{module}\n\n{function}\n'
 
 
