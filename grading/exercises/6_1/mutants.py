@@ -105,4 +105,25 @@ class SensorMast(Node):
         self.create_timer(0.5, lambda: self.moving.sendTransform(transform('mast', 'lidar', z=height, roll=math.pi)))
         self.broadcaster.sendTransform([
         """, expect='also went to /tf', breaks='late', also=('places', 'tilt', 'tree', 'lidar', 'optical')),
+    Mutant('camera_again_every_5_s', old='self.broadcaster.sendTransform([', new="""
+        self.moving = TransformBroadcaster(self)
+        self.create_timer(5.0, lambda: self.moving.sendTransform(transform('mast', 'camera', z=height, pitch=tilt)))
+        self.broadcaster.sendTransform([
+        """, expect='also went to /tf', breaks='late', also=('places', 'tilt', 'tree', 'lidar', 'optical')),
+    Mutant('one_more_frame_later', old='self.broadcaster = StaticTransformBroadcaster(self)', new="""
+        self.broadcaster = StaticTransformBroadcaster(self)
+        self.timer = self.create_timer(3.0, lambda: self.broadcaster.sendTransform(transform('map', 'base_link')))
+        """, expect='There is one more frame, `base_link`', breaks='tree'),
+    Mutant('lidar_stands_up_later', old='self.broadcaster = StaticTransformBroadcaster(self)', new="""
+        self.broadcaster = StaticTransformBroadcaster(self)
+        self.timer = self.create_timer(4.0, lambda: self.broadcaster.sendTransform(transform('mast', 'lidar', z=height)))
+        """, expect='The lidar stands upright', breaks='lidar'),
+    Mutant('height_in_millimetres', old='self.broadcaster = StaticTransformBroadcaster(self)', new="""
+        height = round(height, 3)
+        self.broadcaster = StaticTransformBroadcaster(self)
+        """, expect='made in a program that has others', breaks='places'),
+    Mutant('never_further_up_than_90', breaks='tilt', old='math.radians(tilt)', new='math.radians(max(tilt, -90))',
+           expect='made in a program that has others'),
+    Mutant('never_further_down_than_180', breaks='tilt', old='math.radians(tilt)', new='math.radians(min(tilt, 180))',
+           expect='made in a program that has others'),
 ]

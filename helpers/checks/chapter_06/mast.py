@@ -13,6 +13,7 @@ from helpers.runner.started_nodes import StartedNodes
 PARENTS = {'mast': 'base_link', 'lidar': 'mast', 'camera': 'mast', 'camera_optical': 'camera'}
 RULES = {'mast': 'places', 'lidar': 'lidar', 'camera': 'tilt', 'camera_optical': 'optical'}  # how each is turned
 NOT_TURNED = '"Not turned" is x=0, y=0, z=0, w=1.'
+LATER = 12.0  # simulated seconds after which the late listener comes
 ORDER = 'In which order does a Quaternion have x, y, z and w?'
 
 
@@ -61,7 +62,7 @@ def _late_joiner(learner, height: float, tilt: float) -> tuple[Listener, Started
     node = learner.start('SensorMast', height, tilt)
     learner.settle()
     at_once = set(early.static_transforms)
-    learner.run(1.2, step=1.0)
+    learner.run(LATER, step=LATER)  # what a timer of a few seconds sends, too, is said before the late one listens
     expect(node.name == '/sensor_mast', f'Your node is called {node.name}, expected /sensor_mast.', 'name')
     late = learner.tf_listener()
     learner.settle()
@@ -161,7 +162,7 @@ def judge_camera(mast: Mast) -> None:
 def judge_upwards(learner) -> None:
     """The rules `tilt` and `places`, for a mast that is very low, and a camera that looks up."""
     draw = learner.random
-    mast = Mast(learner, (round(draw.uniform(0.02, 0.08), 2), -round(draw.uniform(48, 80), 1)))
+    mast = Mast(learner, (round(draw.uniform(0.02, 0.08), 2), -round(draw.uniform(48, 88), 1)))
     judge_places(mast)
     view, angle = axis(mast.in_base('camera'), 'x'), math.radians(mast.tilt)
     expected = math.cos(angle), 0, -math.sin(angle)
@@ -183,7 +184,10 @@ def judge_numbers(learner) -> None:
         (0.0, round(draw.uniform(5.0, 40.0), 1)),
         (round(draw.uniform(3.0, 30.0), 3), 90.0),
         (round(draw.uniform(0.6, 2.5), 3), round(draw.uniform(100.0, 170.0), 2)),
+        (round(draw.uniform(0.6, 2.5), 2), round(draw.uniform(190.0, 260.0), 1)),
         (round(draw.uniform(0.6, 2.5), 2), -round(draw.uniform(0.1, 3.0), 2)),
+        (round(draw.uniform(0.6, 2.5), 2), -round(draw.uniform(100.0, 170.0), 1)),
+        (round(draw.randrange(700, 2500) / 1000 + draw.uniform(0.0003, 0.0005), 6), -90.0),  # not in whole millimetres
     ]
     draw.shuffle(numbers)
     for height, tilt in numbers:
