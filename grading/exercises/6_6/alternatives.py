@@ -21,4 +21,5 @@ def crate(mass, length, width, height):
     tree.SubElement(part, 'inertia', **moments, ixy='0', ixz='0', iyz='0')
     return tree.tostring(robot, encoding='unicode')
 '''),
+    Alternative('half_a_turn', old=">{middle}<mass", new="><origin xyz=\"0 0 {height / 2}\" rpy=\"0 0 3.14159\"/><mass"),
 ]

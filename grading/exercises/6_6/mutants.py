@@ -70,4 +70,47 @@ MUTANTS = [
     Mutant('visual_at_the_frame', breaks='visual', old='<visual>{middle}{shape}', new='<visual>{shape}',
            expect='is not the one that was given'),
     Mutant('mass_in_whole_grams', breaks='mass', old='value="{mass}"/', new='value="{mass:.3f}"/', expect='has the mass'),
+    Mutant('a_second_collision', breaks='collision', old="collision = f'<collision>{middle}{shape}</collision>'", new="""
+        collision = f'<collision>{middle}{shape}</collision>'
+        collision += f'<collision>{middle}<geometry><sphere radius="{height / 100}"/></geometry></collision>'
+        """, expect='what touches is a box and a sphere'),
+    Mutant('a_barrel', breaks='collision', old="collision = f'<collision>{middle}{shape}</collision>'", new="""
+        barrel = f'<cylinder radius="{width / 2}" length="{height}"/>'
+        collision = f'<collision>{middle}<geometry>{barrel}</geometry></collision>'
+        """, expect='what touches is a cylinder'),
+    Mutant('products_that_are_not_0', breaks='inertia', old='ixy="0"', new='ixy="{ixx / 100}"',
+           expect='the products ixy, ixz and iyz of a box'),
+    Mutant('mass_is_turned', breaks='inertia', edits=(("""
+        inertial = f'''<inertial>{middle}<mass value="{mass}"/>
+        """, """
+        turned = middle.replace('"/', '" rpy="0 0 1.5708"/')
+        inertial = f'''<inertial>{turned}<mass value="{mass}"/>
+        """),), expect='Those about x and y are exchanged'),
+    Mutant('the_first_one_again', breaks='mass', also='urdf', source="""
+from functools import cache
+
+
+@cache
+def once():
+    return {}
+
+
+def crate(mass, length, width, height):
+    if once():
+        return once()['text']
+    middle = f'<origin xyz="0 0 {height / 2}"/>'
+    shape = f'<geometry><box size="{length} {width} {height}"/></geometry>'
+    a, b, c = (side**2 * mass / 12 for side in (length, width, height))
+    inertia = f'<inertia ixx="{b + c}" iyy="{a + c}" izz="{a + b}" ixy="0" ixz="0" iyz="0"/>'
+    inertial = f'<inertial>{middle}<mass value="{mass}"/>{inertia}</inertial>'
+    once()['text'] = f'''<robot name="crate"><link name="crate"><visual>{middle}{shape}</visual>
+        <collision>{middle}{shape}</collision>{inertial}</link></robot>'''
+    return once()['text']
+""", expect='gave the same text'),
+    Mutant('mass_of_the_call_before', breaks='mass', edits=(("""
+        inertial = f'''<inertial>{middle}<mass value="{mass}"/>
+        """, """
+        crate.mass = getattr(crate, 'mass', mass)
+        inertial = f'''<inertial>{middle}<mass value="{crate.mass}"/>
+        """),), expect='which was called before'),
 ]

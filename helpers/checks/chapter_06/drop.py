@@ -2,9 +2,9 @@
 
 Tests run it on the learner's side (see `falling.py`): a text of the learner's is not parsed on the tests' side. The
 results, of the root link and in its frame, in metres, kilograms and kg m²: `mass`; `centre` of the mass; `inertia`
-about the centre, 3x3; `links`, the names of all of them; `touches` and `looks`, how many shapes; `low` and `high`, the
-corners of what touches; `seen`, those of what is seen; `height` of the frame 1.5 s after it was let go 0.5 m above the
-floor.
+about the centre, 3x3; `links`, the names of all of them; `touches` and `looks`, how many shapes; `kinds` of those that
+touch, such as box; `low` and `high`, the corners of what touches; `seen`, those of what is seen; `height` of the frame
+1.5 s after it was let go 0.5 m above the floor.
 """
 
 import json
@@ -44,6 +44,7 @@ def results(text: str) -> dict:
         'inertia': (turn @ np.diag(model.body_inertia[root]) @ turn.T).tolist(),
         'touches': len(boxes),
         'looks': len(visible),
+        'kinds': [mujoco.mjtGeom(model.geom_type[geom]).name.removeprefix('mjGEOM_').lower() for geom in boxes],
         'low': corners.min(axis=0).tolist() if boxes else None,
         'high': corners.max(axis=0).tolist() if boxes else None,
         'seen': [seen.min(axis=0).tolist(), seen.max(axis=0).tolist()] if visible else None,

@@ -31,7 +31,17 @@ class Crate:
     def __init__(self, learner, mass: float, *size: float):
         self.mass, self.size = mass, size
         self.name = f'crate({", ".join(map(str, (mass, *size)))})'
+        # Another one comes first, in the same program: what a call leaves must not be seen in the next one.
+        self.before = [round(1.37 * number, 4) for number in (mass, *size)]
+        others = learner.call('crate', *self.before)
         text = learner.call('crate', mass, *size)
+        self.first = f'crate({", ".join(map(str, self.before))})'
+        expect(
+            text != others or not text,
+            f'{self.first} and then {self.name} gave the same text. Each call uses the numbers that it gets, and keeps '
+            'nothing of an earlier call.',
+            'mass',
+        )
         expect(isinstance(text, str), f'{self.name} gave {text}, expected the text of a URDF.', 'urdf')
         expect(len(text) < 20_000, f'{self.name} gave {len(text)} characters.', 'urdf')
         workspace = learner.workspace({'crate.urdf': text, 'drop.py': SCRIPT.read_text()})
@@ -57,6 +67,12 @@ class Crate:
         expect(
             found['touches'],
             f'{self.name} fell through the floor: after 1.5 s it is at z = {last:.1f} m. It has no <collision>.',
+            'collision',
+        )
+        kinds = ' and '.join(f'a {kind}' for kind in found['kinds'])
+        expect(
+            found['kinds'] == ['box'],
+            f'{self.name}: what touches is {kinds}, expected one <collision>, a box like that of the <visual>.',
             'collision',
         )
         expect(found['looks'], f'{self.name} cannot be seen: its <visual> is gone.', 'visual')
@@ -96,10 +112,14 @@ class Crate:
         found, (a, b, c) = self.found, self.size
         mass, centre = found['mass'], found['centre']
         expect(mass > 0.002, f'{self.name} weighs next to nothing: it has no <inertial>, or no mass in it.', 'mass')
-        expect(
+        explain(
             abs(mass - self.mass) < CLOSE * self.mass,
             f'{self.name} has the mass {mass:g} kg, expected {self.mass:g} kg.',
-            'mass',
+            (
+                abs(mass - self.before[0]) < CLOSE * mass,
+                f'That is the mass of {self.first}, which was called before: keep nothing of an earlier call.',
+            ),
+            rule='mass',
         )
         explain(
             same(centre, (0, 0, c / 2)),
@@ -116,13 +136,25 @@ class Crate:
         )
 
         def is_about(values):
-            return np.allclose(inertia, np.diag(values), rtol=CLOSE, atol=1e-12)
+            return np.allclose(np.diag(inertia), values, rtol=CLOSE, atol=1e-12) and upright
 
+        # A crate that is turned by half a turn, with a pi of six digits, is the same one: its products are nearly 0.
+        products = inertia - np.diag(np.diag(inertia))
+        upright = np.abs(products).max() <= CLOSE * np.diag(inertia).min()
         own = self.mass / 12 * np.array([a * a, b * b, c * c])
         explain(
             is_about(wanted),
             told,
             (is_about(12 * wanted), 'Divide by 12.'),
+            (
+                not upright,
+                'But these are not all: the products ixy, ixz and iyz of a box about its own axes are 0, and its '
+                '<inertial> is not turned by an rpy.',
+            ),
+            (
+                is_about(wanted[[1, 0, 2]]),
+                'Those about x and y are exchanged, in the formulas or by an rpy of the <inertial>.',
+            ),
             (
                 np.allclose(inertia, np.diag(wanted), rtol=1e-2, atol=6e-4),
                 'Do not round the numbers in the text: the inertia of a small crate has many zeros.',
