@@ -47,4 +47,27 @@ class Moon(Node):
         message.header.stamp = now.to_msg()
         self.broadcaster.sendTransform([message])
 '''),
+    Alternative('complex_and_async', source='''
+import cmath
+
+
+class Moon(Node):
+    """A complex number that turns; a later look at the clock, which the transform does not use."""
+
+    def __init__(self, radius=3.0, period=8.0):
+        super().__init__('moon')
+        self.out, self.speed = complex(radius), 2j * math.pi / period
+        self.broadcaster = TransformBroadcaster(self)
+        self.create_timer(0.05, self.tick, clock=self.get_clock())
+        self.said = self.get_clock().now()
+
+    async def tick(self):
+        stamp = self.get_clock().now().to_msg()
+        turned = cmath.exp(self.speed * (stamp.sec + stamp.nanosec / 1e9))
+        place = self.out * turned
+        message = transform('planet', 'moon', x=place.real, y=place.imag, yaw=cmath.phase(-turned))
+        message.header.stamp = stamp
+        self.broadcaster.sendTransform(message)
+        self.said = self.get_clock().now()
+'''),
 ]

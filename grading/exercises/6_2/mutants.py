@@ -82,4 +82,10 @@ MUTANTS = [
            expect='the moon is at'),
     Mutant('a_minute_at_most', breaks='time', old='= radius, period', new='= radius, min(period, 60.0)',
            expect='the second one is at'),
+    Mutant('a_second_look_for_the_stamp', breaks='stamp', old='= now.to_msg()', new='= self.get_clock().now().to_msg()',
+           expect='Ask the clock once in each callback'),
+    Mutant('a_second_look_for_the_turn', breaks='face', edits=(("message = transform('planet', 'moon', x=x, y=y, yaw=angle + math.pi)", """
+           later = 2 * math.pi * (self.get_clock().now().nanoseconds / 1e9) / self.period
+           message = transform('planet', 'moon', x=x, y=y, yaw=later + math.pi)
+           """),), expect='and the moon is turned as at another one'),
 ]

@@ -10,6 +10,8 @@ from helpers.runner.frames import to_matrix
 from helpers.runner.peers import SECOND
 
 STEP = 0.05  # s
+PAUSE = 0.02  # s, less than a step: so long the clock goes on in the middle of a callback
+MOST_PLACES = 60  # at which a callback may stand aside; that of a usual answer has about half of them
 
 
 class Watched:
@@ -217,3 +219,50 @@ def judge_two(learner, moon: Watched) -> None:
             f'{told}: at time {time:.13g} s the second one is at {words(place)}, expected {words(there)}.',
             'time',
         )
+
+
+def judge_one_look(learner) -> None:
+    """The clock goes on in the middle of a callback: place, turn and stamp still belong together (rule `stamp`).
+
+    It stands aside at one place of the learner's lines after the other, so that two looks at the clock differ.
+    """
+    draw = learner.random
+    radius, period = round(draw.uniform(0.2, 0.45), 3), round(draw.uniform(0.45, 0.9), 2)
+    heard = learner.tf_listener()
+    with about('stamp'):
+        node = learner.start('Moon', radius, period, switches=True)
+        learner.run(STEP + PAUSE)
+        for place in range(1, MOST_PLACES):
+            node.switch(place, hold=True)
+            learner.run(STEP - PAUSE)  # up to the call of the timer
+            learner.run(PAUSE)
+            before = len(heard.transforms)
+            _, stood = node.switch(0)
+            learner.settle()
+            for transform in heard.transforms[before:]:
+                _judge_together(f'Moon({radius}, {period})', radius, period, transform, stood)
+            if not stood:  # the callback has fewer places
+                break
+
+
+def _judge_together(called: str, radius: float, period: float, transform, stood: str) -> None:
+    """The place of a transform is that for its stamp, and it looks to the planet from there."""
+    stamp = transform.header.stamp.sec + transform.header.stamp.nanosec / 1e9
+    angle = 2 * math.pi * stamp / period
+    there, wanted = to_matrix(transform), _on_circle(radius, angle)
+    story = (
+        f'{called}: on a busy machine the clock went on by {PAUSE} s in the middle of a callback'
+        f'{f", at {stood}" if stood else ""}. '
+    )
+    once = 'Ask the clock once in each callback, and use this time for all.'
+    expect(
+        same(origin(there), wanted, 1e-3),
+        f'{story}The stamp is {stamp:.13g} s, and the place is not that for this time, but {words(origin(there))}, '
+        f'expected {words(wanted)}. {once}',
+        'stamp',
+    )
+    expect(
+        same(axis(there, 'x'), [-math.cos(angle), -math.sin(angle), 0.0], 1e-3),
+        f'{story}The stamp and the place are those of one time, and the moon is turned as at another one. {once}',
+        'face',
+    )

@@ -31,3 +31,12 @@ def test_circle(learner):
     moons.judge_face(moon)
     moons.judge_stamp(moon)
     moons.judge_two(learner, moon)
+
+
+@pytest.mark.rules('stamp', 'face')
+def test_one_look(learner):
+    """Place, turn and stamp are those of one time, also when the clock goes on in the middle of a callback.
+
+    Ask the clock once in each callback, keep what it says in a variable, and use this for all.
+    """
+    moons.judge_one_look(learner)
