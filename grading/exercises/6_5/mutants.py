@@ -145,4 +145,16 @@ MUTANTS = [
         """, expect='went out in the constructor'),
     Mutant('lost_from_8_m_on', breaks='place', old='if age <= Duration(seconds=0.5):',
            new='if age <= Duration(seconds=0.5) and found.transform.translation.x < 8:', expect='and chase says'),
+    Mutant('hardly_turns_is_not_at_all', breaks='place', old='command = chase(found.transform.translation.x, found.transform.translation.y)', new="""
+           command = chase(found.transform.translation.x, found.transform.translation.y)
+           if abs(command.angular.z) < 0.05:
+               command.angular.z = 0.0
+           """, expect='and chase says'),
+    Mutant('hardly_drives_is_not_at_all', breaks='place', old='command = chase(found.transform.translation.x, found.transform.translation.y)', new="""
+           command = chase(found.transform.translation.x, found.transform.translation.y)
+           if command.linear.x < 0.03:
+               command.linear.x = 0.0
+           """, expect='and chase says'),
+    Mutant('publisher_of_the_class', breaks='topic', old='self.motor = self.create_publisher(', expect='in 0.3 s, expected 3',
+           new='Follower.motor = self.create_publisher('),
 ]

@@ -145,7 +145,11 @@ def check_places(there: Pursuit) -> None:
     places = [
         (draw.uniform(0.2, 0.9), draw.uniform(-3.0, 3.0)),  # so near that it stands
         (draw.uniform(1.05, 1.3), draw.uniform(-0.9, 0.9)),
+        (draw.uniform(1.004, 1.012), draw.uniform(-0.9, 0.9)),  # it hardly drives
+        (draw.uniform(1.5, 4.0), draw.choice([-1, 1]) * draw.uniform(0.002, 0.006)),  # it hardly turns
+        (draw.uniform(1.5, 4.0), draw.choice([-1, 1]) * draw.uniform(0.02, 0.06)),
         (draw.uniform(9.0, 12.0), draw.uniform(-0.3, 0.3)),
+        (draw.uniform(30.0, 60.0), draw.uniform(-0.3, 0.3)),
         (draw.uniform(1.5, 4.0), draw.uniform(1.2, 2.6)),
         (draw.uniform(4.5, 7.0), draw.uniform(2.7, 3.1)),
         (draw.uniform(1.5, 4.0), draw.uniform(-3.1, -1.2)),
@@ -162,7 +166,7 @@ def check_places(there: Pursuit) -> None:
         wanted = there.learner.call('chase', float(x), float(y))
         expect(
             there.is_for(command, x, y) and _other_parts(command) == _other_parts(wanted),
-            f'The leader is {distance:.2f} m away, {angle:.2f} rad to the left, at ({x:.2f}, {y:.2f}) in the frame '
+            f'The leader is {distance:.3f} m away, {angle:.3f} rad to the left, at ({x:.3f}, {y:.3f}) in the frame '
             f'`{there.names[1]}`. The command is {_told(command)}, and chase says {_told(wanted)}.',
             'place',
         )
@@ -175,7 +179,7 @@ def _other_parts(command: Twist) -> tuple[float, ...]:
 
 
 def _told(command: Twist) -> str:
-    return f'linear.x {command.linear.x:.2f}, angular.z {command.angular.z:.2f}'
+    return f'linear.x {command.linear.x:.3f}, angular.z {command.angular.z:.3f}'
 
 
 def check_long_silence(there: Pursuit) -> None:
@@ -267,6 +271,17 @@ def _check_two(there: Pursuit) -> None:
         there.tell()
     there.learner.run(0.15)
     leader, me = there.names
+    count = len(there.commands)
+    for _ in range(3):
+        there.tell()
+        there.learner.run(0.1)
+    count = len(there.commands) - count
+    expect(
+        count == 3,
+        f"Another Follower('nobody', 'somebody') was made in the same program. Then {count} commands came on "
+        f'/{me}/cmd_vel in 0.3 s, expected 3. The publisher and the timer belong to the object (self).',
+        'topic',
+    )
     expect(
         not there.stands,
         f"Another Follower('nobody', 'somebody') was made in the same program, and Follower({leader!r}, {me!r}) "
