@@ -222,4 +222,13 @@ MUTANTS = [
         ''', expect='whatever becomes of the newer one'),
     Mutant('large_orders_go_on', breaks='aborted', also=('newest', 'stops'), old='goal is not self.newest',
            new='goal is not self.newest and goal.request.order <= 30', expect='goes on'),
+    Mutant('forgets_the_newest_at_its_end', breaks='newest', old='goal.succeed()', new="""
+        self.newest = None
+        goal.succeed()
+        """, expect='leaves alone what was noted of a newer one'),
+    Mutant('looks_and_forgets_the_newest', breaks='newest', old='goal.succeed()', new="""
+        if self.newest is goal:
+            self.newest = None
+        goal.succeed()
+        """, expect='leaves alone what was noted of a newer one'),
 ]

@@ -279,6 +279,7 @@ def check_threads(learner) -> None:
         if places < place:
             break
     _check_cancelled(learner, client, node)
+    _check_end(learner, client, node)
 
 
 def _check_cancelled(learner, client, node) -> None:
@@ -304,6 +305,30 @@ def _check_cancelled(learner, client, node) -> None:
             'newest',
         )
         expect((second.status, numbers(second)) == ('canceled', []), words, 'cancel')
+
+
+def _check_end(learner, client, node) -> None:
+    """A goal comes while the thread of the one before it stands aside somewhere in its last step."""
+    for place in range(learner.random.randint(1, 2), MOST_PLACES, 2):  # a look and the change after it have several
+        first = client.send(order=1)
+        learner.run(0.3)
+        node.switch(place, hold=True)
+        learner.run(0.2)
+        second = client.send(order=1)
+        learner.settle()
+        _, stood = node.switch(0)
+        learner.settle()
+        learner.run(0.6, step=0.5)
+        words = f'A goal came in the last step of another one{stood and f", whose thread stood before {stood}"}'
+        expect(
+            second.status == 'succeeded' and numbers(second) == [1],
+            f'{words}; 0.6 s later it is {second.status or "still running"}, with {numbers(second)}, expected '
+            'succeeded with [1]. A goal that ends leaves alone what was noted of a newer one.',
+            'newest',
+        )
+        expect(first.status in ('succeeded', 'aborted'), f'{words}, and that one {first.ended}.', 'newest')
+        if not stood:  # its last step has fewer places
+            break
 
 
 def check_replaced(learner, client, order, count, newer) -> None:
