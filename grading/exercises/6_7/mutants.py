@@ -154,4 +154,17 @@ MUTANTS = [
            expect='the filename of the <plugin> is gz-sim-velocity-control-system'),
     Mutant('another_type_of_laser', old='type="gpu_lidar"', new='type="lidar"', breaks='scan',
            expect='is a sensor of the type `lidar`'),
+    Mutant('the_frame_of_the_caster_is_turned', breaks='places', also=RIDE, old="f'-0.14 0 {ball - radius}'",
+           new="f'-0.14 0 {ball - radius}\" rpy=\"0 0 1.5708'", expect='the frame `caster` is turned'),
+    Mutant('no_mast_below_30_cm', breaks='places', old='{mast - radius}', new='{max(mast, 0.3) - radius}',
+           expect='`laser` is at (0, 0, '),
+    Mutant('no_mast_above_45_cm', breaks='places', old='{mast - radius}', new='{min(mast, 0.45) - radius}',
+           expect='`laser` is at (0, 0, '),
+    Mutant('the_sizes_of_the_first_call', breaks='places', also=('urdf', 'wheels', 'scan', *RIDE),
+           old="def heavy(mass, xx, yy, zz, xyz='0 0 0'):", new="""
+           scout.sizes = getattr(scout, 'sizes', (radius, separation, mast))
+           radius, separation, mast = scout.sizes
+
+           def heavy(mass, xx, yy, zz, xyz='0 0 0'):
+           """, expect='keeps nothing of an earlier call'),
 ]

@@ -79,9 +79,13 @@ def _heard(robot: urdf_reader.Robot) -> dict:
 
 
 def bodies(text: str, given: dict) -> dict:
-    """Of each link: `mass`, `centre`, `inertia` (3x3, in the link's frame), the shapes that touch, and their bottom."""
+    """Of each link: `mass`, `centre`, `inertia` (3x3, in the link's frame), the shapes that touch, and their bottom.
+
+    `frames` as in `frames`, but as the joints have them.
+    """
     robot = urdf_reader.read(text)
     from mujoco_world.robot import read
+    from tf_transformations import quaternion_from_matrix
 
     simulated = read(text)
     above = {joint.child: joint for joint in robot.joints.values()}
@@ -101,7 +105,11 @@ def bodies(text: str, given: dict) -> dict:
             turn = link.inertial.origin.matrix[:3, :3]
             inertia = turn @ np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]) @ turn.T
             found[name] |= {'mass': link.inertial.mass, 'centre': link.inertial.origin.xyz, 'inertia': inertia.tolist()}
-    return {'links': found}
+    frames = {
+        child: [joint.parent, joint.origin.matrix[:3, 3].tolist(), list(quaternion_from_matrix(joint.origin.matrix))]
+        for child, joint in above.items()
+    }
+    return {'links': found, 'frames': frames}
 
 
 def _shape(shape, link_in_root: np.ndarray) -> dict:
@@ -141,6 +149,7 @@ def scan(text: str, given: dict) -> dict:
         'type': _sensor_type(text),
         'samples': lidar.samples,
         'angles': [lidar.min_angle, lidar.max_angle],
+        'least': lidar.min_range,
         'range': lidar.max_range,
         'hits': int(np.isfinite(ranges).sum()),
         'nearest': float(np.nan_to_num(ranges, posinf=1e9, neginf=-1.0).min()),

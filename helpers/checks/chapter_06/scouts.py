@@ -24,7 +24,10 @@ STATIONS = {'kitchen': (-2.0, 2.0), 'office': (2.0, 2.0), 'lab': (-2.0, -2.0), '
 MASSES = {'base_link': (2.0, 8.0), 'left_wheel': (0.2, 1.0), 'right_wheel': (0.2, 1.0)}  # kg
 MOST = 10.0  # kg, of the whole robot
 NEAR = 1e-3  # m
-SIZES = {'small': ((0.04, 0.045), (0.2, 0.23)), 'large': ((0.09, 0.1), (0.38, 0.4))}  # radius and separation, m
+SIZES = {  # m: radius, separation, mast
+    'small': ((0.04, 0.045), (0.2, 0.23), (0.48, 0.5)),
+    'large': ((0.09, 0.1), (0.38, 0.4), (0.255, 0.275)),
+}
 CLEAR = 0.01  # m, between the floor and what must not touch it
 # Whoever reads the URDF or simulates it refuses it with words like these, and then this rule is broken.
 REFUSED = {'drive': 'drive', '<plugin>': 'drive', 'lidar': 'scan', 'unstable': 'stands', 'has fallen': 'stands'}
@@ -37,10 +40,10 @@ def drawn(random: Random, size: str = '', low: bool = False) -> tuple[float, flo
     :param low: whether the mast is one of the lowest.
     """
     if size:
-        radius, separation = (random.uniform(*limits) for limits in SIZES[size])
-    else:
-        radius = random.choice([random.uniform(0.04, 0.045), random.uniform(0.055, 0.065), random.uniform(0.09, 0.1)])
-        separation = random.choice([random.uniform(0.2, 0.31), random.uniform(0.38, 0.4)])
+        radius, separation, mast = (round(random.uniform(*limits), 3) for limits in SIZES[size])
+        return radius, separation, mast
+    radius = random.choice([random.uniform(0.04, 0.045), random.uniform(0.055, 0.065), random.uniform(0.09, 0.1)])
+    separation = random.choice([random.uniform(0.2, 0.31), random.uniform(0.38, 0.4)])
     mast = round(random.uniform(0.25, 0.252), 4) if low else round(random.uniform(0.25, 0.5), 2)
     return round(radius, 3), round(separation, 3), mast
 
@@ -52,7 +55,16 @@ class Scout:
         """:param low: whether its mast is one of the lowest."""
         self.radius, self.separation, self.mast = sizes = drawn(learner.random, size, low)
         self.name = f'scout({", ".join(map(str, sizes))})'
+        # Another one comes first, in the same program: what a call leaves must not be seen in the next one.
+        others = drawn(learner.random, 'small' if self.radius > 0.07 else 'large')
+        before = learner.call('scout', *others)
         text = learner.call('scout', *sizes)
+        expect(
+            text != before or not text,
+            f'scout({", ".join(map(str, others))}) and then {self.name} gave the same text. Each call uses the numbers '
+            'that it gets, and keeps nothing of an earlier call.',
+            'places',
+        )
         expect(isinstance(text, str), f'{self.name} gave {text}, expected the text of a URDF.', 'urdf')
         expect(len(text) < 50_000, f'{self.name} gave {len(text)} characters.', 'urdf')
         workspace = learner.workspace({'scout.urdf': text, 'probe.py': SCRIPT.read_text()})
@@ -70,18 +82,18 @@ class Scout:
 
     def check_tree(self) -> None:
         """The rule `tree`."""
-        links, frames = self.found['links'], self.found['frames']
+        links = self.found['links']
         for name in ('base_footprint', *PARENTS):
             expect(name in links, f'{self.name} has no link `{name}`; it has {", ".join(links)}.', 'tree')
         root = self.found['root']
         expect(root == 'base_footprint', f'{self.name}: the root is `{root}`, expected `base_footprint`.', 'tree')
+        self._check_parents('robot_state_publisher says that ')
+
+    def _check_parents(self, who: str = '') -> None:
         for child, parent in PARENTS.items():
-            heard = frames.get(child, ['nothing'])[0]
+            heard = self.found['frames'].get(child, ['nothing'])[0]
             expect(
-                heard == parent,
-                f'{self.name}: robot_state_publisher says that the parent of `{child}` is `{heard}`, expected '
-                f'`{parent}`.',
-                'tree',
+                heard == parent, f'{self.name}: {who}the parent of `{child}` is `{heard}`, expected `{parent}`.', 'tree'
             )
 
     def check_joints(self) -> None:
@@ -115,16 +127,18 @@ class Scout:
             )
 
     def check_places(self) -> None:
-        """The rule `places`."""
+        """The rule `places`, for what `frames` has of each child: its parent, place and quaternion."""
         half = self.separation / 2
         wanted = {
             'base_link': (0, 0, self.radius),
             'left_wheel': (0, half, 0),
             'right_wheel': (0, -half, 0),
             'laser': (0, 0, self.mast - self.radius),
+            'caster': None,  # its place has limits, below
         }
         for child, place in wanted.items():
             parent, there, turn = self.found['frames'][child]
+            place = there if place is None else place
             explain(
                 same(there, place, NEAR),
                 f'{self.name}: `{child}` is at {_fine(there)} in `{parent}`, expected {_fine(place)}.',
@@ -154,6 +168,7 @@ class Scout:
         links = self.found['links']
         for link in PARENTS:
             expect(link in links, f'{self.name} has no link `{link}`; it has {", ".join(links)}.', 'tree')
+        self._check_parents()
 
     def _only_shape(self, link: str, kind: str, rule: str) -> dict:
         shapes = self.found['links'][link]['shapes']
@@ -346,6 +361,12 @@ class Scout:
             'scan',
         )
         expect(
+            lidar['least'] <= 0.5 or lidar['nearest'] > 0.5,
+            f'{self.name}: the laser sees nothing nearer than {lidar["least"]:g} m, its <min>, and a wall is nearer. '
+            'Begin much nearer to the laser.',
+            'scan',
+        )
+        expect(
             lidar['nearest'] > 0.5,
             f'{self.name}: the laser sees something {max(0.0, lidar["nearest"]):.2f} m away. No wall is so near: '
             f'it is the robot.{" It must be lower than a mast of 0.25 m, too." * (self.mast < 0.26)}',
@@ -425,6 +446,7 @@ def judge_bodies(learner) -> None:
     for size in SIZES:
         scout = Scout(learner, 'bodies', size)
         scout.check_links()
+        scout.check_places()
         scout.check_wheels()
         scout.check_caster()
         scout.check_floor()

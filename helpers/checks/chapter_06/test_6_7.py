@@ -18,7 +18,7 @@ def test_frames(learner):
     scouts.judge_frames(learner, 'large')
 
 
-@pytest.mark.rules('tree', 'wheels', 'caster', 'floor', 'mass', 'inertia')
+@pytest.mark.rules('tree', 'places', 'wheels', 'caster', 'floor', 'mass', 'inertia')
 @about('urdf')
 def test_bodies(learner):
     """What touches, what is heavy, and how heavy it is.
