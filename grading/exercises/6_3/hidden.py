@@ -48,7 +48,9 @@ def test_again(learner):
     there.run(10)
     there.ask(node, round(learner.random.uniform(0.4, 3.0), 2))
     there.ask(node, 1.1)
+    there.ask_too_early(node)
     there.ask_now(node)
+    there.ask_quiet_robot(node)
 
 
 @pytest.mark.weight(2)

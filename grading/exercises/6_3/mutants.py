@@ -128,4 +128,18 @@ MUTANTS = [
             self.known[seconds] = point
             return point
             """)), expect='expected ('),
+    Mutant('newest_for_what_is_to_come', breaks='then', old="""
+        except TransformException:
+            return None
+        """, new="""
+        except TransformException:
+            if seconds > 0.2 or not self.buffer.can_transform('base_link', 'cup', Time()):
+                return None
+            found = self.buffer.lookup_transform('base_link', 'cup', Time())
+        """, expect='So late a transform of the cup has not come yet'),
+    Mutant('only_a_robot_of_this_second', breaks='robot-now', old='point = PointStamped(header=found.header)', new="""
+        if self.get_clock().now() - Time.from_msg(found.header.stamp) > Duration(seconds=1.0):
+            return None
+        point = PointStamped(header=found.header)
+        """, expect='take the newest transform there is, however old it is', also='far'),
 ]

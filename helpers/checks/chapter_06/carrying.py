@@ -93,6 +93,35 @@ class Scene:
             )
             self.ask(node, seconds)
 
+    def ask_too_early(self, node) -> None:
+        """Ask for a time of which nobody has spoken yet: no other time may take its place. Rule `then`."""
+        seconds = round(self.learner.random.uniform(0.03, 0.12), 3)
+        found, then = node.call('where_was', seconds), self.learner.now / SECOND - seconds
+        if not isinstance(found, PointStamped):
+            return
+        expected = origin(np.linalg.inv(self.robot(self.newest)) @ self.cup(then))
+        expect(
+            same((found.point.x, found.point.y, found.point.z), expected, 1e-3),
+            f'The newest transform of the cup is for {self.newest - EARLIER:g} s, and where_was({seconds:g}) at time '
+            f'{self.learner.now / SECOND:g} s gave {told(found)}. So late a transform of the cup has not come yet, and '
+            'where it was before is another place. Do not take another time instead: give None.',
+            'then',
+        )
+
+    def ask_quiet_robot(self, node) -> None:
+        """Only the cup goes on saying where it is; the robot's newest transform is older than the time asked for."""
+        for _ in range(12):
+            self.tell('cup')
+            self.learner.run(0.2, step=0.2)
+        seconds = round(self.learner.random.uniform(0.5, 1.4), 2)
+        expect(
+            node.call('where_was', seconds) is not None,
+            f'The robot has said nothing for {self.learner.now / SECOND - self.newest:.1f} s, the cup goes on, and '
+            f'where_was({seconds:g}) gave None. For the robot take the newest transform there is, however old it is.',
+            'robot-now',
+        )
+        self.ask(node, seconds)
+
     def _ask_kept(self, node, seconds: float) -> None:
         expect(
             node.call('where_was', seconds) is not None,

@@ -39,6 +39,7 @@ def test_cup(learner):
         there.run(2)
         there.ask(node, round(draw(0.5, 2.1), 2))
         there.ask(node, seconds)  # the same question has another answer now
+        there.ask_too_early(node)
         there.ask_first(other)
         there.ask_now(node)
     with about('too-long'):
@@ -49,5 +50,7 @@ def test_cup(learner):
             f'The first transforms came less than 3 s ago, and where_was({seconds}) gave {told(found)}, '
             'expected None: nobody knows. Do not take another time instead.',
         )
+    with about('robot-now'):
+        there.ask_quiet_robot(node)
     with about('far'):
         there.ask_long_ago(node)
