@@ -7,6 +7,7 @@ from helpers.checks.chapter_05.printing import (
     Job,
     Printer,
     check_at_the_end,
+    check_first_page,
     check_switches,
     check_two_at_once,
     check_two_printers,
@@ -114,6 +115,7 @@ def test_cancel(learner):
         )
         printer.judge()
     check_at_the_end(printer, draw)
+    check_first_page(Printer(learner, 1, '/new'), draw)
 
 
 @pytest.mark.rules('lock')

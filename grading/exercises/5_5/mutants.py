@@ -254,7 +254,7 @@ MUTANTS = [
     Mutant('place_is_lost', breaks='cancel-waiting', also=('lock', 'others'), old=LEAVE,
            new=LEAVE + '    self.places -= 1\n',
            expect='gives its place back'),
-    Mutant('executes_before_it_leaves', breaks='cancel-waiting', also=('others', 'lock'), edits=(
+    Mutant('executes_before_it_leaves', breaks='cancel-waiting', also=('others', 'lock', 'cancel'), edits=(
            ('self.look_at_the_others()', ''),
            ('while len(pages) < goal.request.order and not goal.is_cancel_requested:',
             'while len(pages) < goal.request.order:'),
@@ -355,4 +355,24 @@ MUTANTS = [
     Mutant('goal_callbacks_side_by_side', breaks='places', old='cancel_callback=accept)',
            new='cancel_callback=accept, callback_group=ReentrantCallbackGroup())',
            imports='from rclpy.callback_groups import ReentrantCallbackGroup', expect='two goals at one moment'),
+    Mutant('deaf_before_its_first_page', breaks='cancel', also=('lock', 'cancel-waiting', 'others'), edits=(
+           ('while len(pages) < goal.request.order and not goal.is_cancel_requested:',
+            'while len(pages) < goal.request.order and not (goal.is_cancel_requested and pages):'),
+           ('if not goal.is_cancel_requested:', 'if not (goal.is_cancel_requested and pages):')),
+           expect='Goal A was cancelled when it had [], and its result is'),
+    Mutant('no_cancel_before_the_first_page', breaks='cancel', also=('lock', 'cancel-waiting'), edits=(
+           ('cancel_callback=accept)', 'cancel_callback=self.on_cancel)'),
+           ('def on_accepted(self, goal):', """
+           def on_cancel(self, goal):
+               there = getattr(self, 'printed', False) or goal is not self.goals[0]
+               return CancelResponse.ACCEPT if there else CancelResponse.REJECT
+
+           def on_accepted(self, goal):
+           """), ('pages.append(len(pages) + 1)', """
+           pages.append(len(pages) + 1)
+           self.printed = True
+           """)), expect='was to be cancelled; the request was answered: rejected'),
+    Mutant('only_three_that_wait_leave', breaks='cancel-waiting', also=('lock', 'others'),
+           old='for goal in self.goals[1:] if goal.is_cancel', new='for goal in self.goals[1:4] if goal.is_cancel',
+           expect='somebody must look at all goals that wait'),
 ]

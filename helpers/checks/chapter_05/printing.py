@@ -564,6 +564,13 @@ def _times(ends: list[float | None]) -> str:
     return ' and '.join('no time' if end is None else f'{end:g} s' for end in ends)
 
 
+def check_first_page(printer: Printer, draw: Random) -> None:
+    """The first goal of a printer's life is cancelled before it has a page; one waits, and another one comes later."""
+    first = Job('A', 0.0, draw.randint(1, 4), cancel_at=round(draw.uniform(0.1, 0.4), 2))
+    printer.tell(first, Job('B', 0.0, 1, client=1), Job('C', 2.3, draw.randint(1, 3), cancel_at=2.5))
+    printer.judge()
+
+
 def check_at_the_end(printer: Printer, draw: Random) -> None:
     """Two that wait leave during the last page of the goal that runs; then the only goal is cancelled, and one comes.
 

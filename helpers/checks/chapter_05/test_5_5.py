@@ -7,6 +7,7 @@ from helpers.checks.chapter_05.printing import (
     Job,
     Printer,
     check_at_the_end,
+    check_first_page,
     check_switches,
     check_two_at_once,
     check_two_printers,
@@ -79,6 +80,20 @@ def test_many_places(learner):
     printer.judge()
 
 
+@pytest.mark.rules('cancel-waiting')
+@about('cancel-waiting')
+def test_far_behind(learner):
+    """Also a goal that waits behind many others can leave.
+
+    In each step the goal that runs looks at all that wait.
+    """
+    count = learner.random.randint(6, 8)
+    printer = Printer(learner, count)
+    jobs = [Job(f'A{number}', number / 50, 1) for number in range(count)]
+    printer.tell(Job('first', 0.0, 2), *jobs[1:], Job('last', 0.4, 1, cancel_at=0.7))
+    printer.judge()
+
+
 @pytest.mark.rules('queue')
 @about('queue')
 def test_two_printers(learner):
@@ -98,6 +113,7 @@ def test_cancel(learner):
     """
     draw = learner.random
     printer = Printer(learner, 3)
+    check_first_page(printer, draw)
     now = round(draw.choice([0.55, 0.7, 1.1]), 2)
     # Neighbours leave at one moment, behind one that stays; then all their places are free.
     printer.tell(
