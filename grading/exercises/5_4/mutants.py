@@ -196,4 +196,33 @@ MUTANTS = [
            ('self.pose = pose', 'self.pose, self.came = pose, self.get_clock().now()'),
            ('self.pose is None or',
             'self.pose is None or self.get_clock().now() - self.came > Duration(seconds=5.0) or')), expect='however old it is'),
+    Mutant('feedback_of_the_round_before', breaks='feedback', old=FEEDBACK, new="""
+           if step % 2 == 0:
+               goal.publish_feedback(DriveTo.Feedback(distance=before))
+           before = distance
+           """, expect='not one of the round before'),
+    Mutant('feedback_before_the_wait', breaks='feedback', edits=((FEEDBACK, ''), (WAIT, f"""
+           told = steer(self.pose, goal.request.x, goal.request.y)[0]
+           {WAIT}
+           if step % 3 == 0:
+               goal.publish_feedback(DriveTo.Feedback(distance=told))
+           """)), expect='not one of the round before'),
+    Mutant('rounds_go_on_after_an_abort', breaks='give-up', edits=(
+        ('self.pose, self.busy = None, False', 'self.pose, self.busy, self.rounds = None, False, 0'),
+        ('for step in range(1, 201):', 'for step in range(1 + self.rounds, 201):'), ("""
+        self.motor.publish(Twist())
+        self.busy = False
+        """, """
+        self.rounds = 20 if step == 200 else 0
+        self.motor.publish(Twist())
+        self.busy = False
+        """)), expect='A goal was given up after 20 s. The next one'),
+    Mutant('no_cancel_in_the_first_rounds', breaks='cancel', also=('zeros', 'no-pose', 'next'),
+           old='if goal.is_cancel_requested or distance < 0.1:',
+           new='if goal.is_cancel_requested and step > 5 or distance < 0.1:',
+           expect='was cancelled at the moment when it came'),
+    Mutant('feedback_of_0_at_the_end', breaks='feedback', old='self.motor.publish(Twist())', new="""
+        self.motor.publish(Twist())
+        goal.publish_feedback(DriveTo.Feedback(distance=0.0))
+        """, expect='the last feedback says 0.000 m'),
 ]

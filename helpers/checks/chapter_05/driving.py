@@ -1,5 +1,6 @@
 """How a driver of exercises 5.4 and 8.9 ends its goal, which pose it uses, and what is its own."""
 
+import math
 from itertools import pairwise
 
 import pytest
@@ -94,12 +95,11 @@ def check_walls(learner, client, poses) -> None:
             'as False: ask "is None", to see whether a pose has come.',
             'no-pose',
         )
-        goal.cancel()
-        learner.run(0.3)
+        _cancel_at_once(learner, goal)
 
 
 def check_time(learner, client, poses) -> None:
-    """A goal succeeds after some seconds, and the next one has 20 s all the same: rule `give-up`."""
+    """A goal succeeds, and another one is given up; the next one has 20 s all the same, each time: rule `give-up`."""
     seconds = learner.random.choice([2.0, 3.5, 5.0])
     poses.send(Pose(x=2.0, y=2.0))
     learner.settle()
@@ -118,6 +118,13 @@ def check_time(learner, client, poses) -> None:
     expect(not following.done, f'{story}{_after(following)}, expected 20 s: each goal has 20 s of its own.', 'give-up')
     learner.run(1.0)
     expect(following.status == 'aborted', f'{story}{_after(following)}, expected aborted after 20 s.', 'give-up')
+    third = client.send(x=9.0, y=2.0)
+    learner.run(19.5, step=0.5)
+    story = 'A goal was given up after 20 s. The next one, for a robot that does not move, '
+    expect(third.accepted, f'{story}{third.answer}.', 'next')
+    expect(not third.done, f'{story}{_after(third)}, expected 20 s: each goal has 20 s of its own.', 'give-up')
+    third.cancel()
+    learner.run(0.3)
 
 
 def _after(goal: Goal) -> str:
@@ -141,6 +148,41 @@ def longest_pause(goal: Goal, end: float) -> float:
     return max(late - early for early, late in pairwise(moments))
 
 
+def check_feedback_now(learner, goal: Goal, poses) -> None:
+    """While the goal runs, a new pose comes in each round: feedback is for the newest (rule `feedback`).
+
+    It takes 0.7 s, in which there is feedback.
+    """
+    place = goal.request
+    for number in range(7):
+        x, y = place.x - 6.0 + 0.4 * number, place.y + 0.3 * number
+        distance, count = math.hypot(place.x - x, place.y - y), len(goal.feedback)
+        poses.send(Pose(x=x, y=y))
+        learner.run(0.1)
+        for feedback in goal.feedback[count:]:
+            expect(
+                feedback.distance == pytest.approx(distance, abs=0.02),
+                f'The robot was {distance:.2f} m away from ({place.x:g}, {place.y:g}), and the feedback in the next '
+                f'round says {feedback.distance:.2f} m: a pose came before it. Tell the distance that steer gives in '
+                'this round, not one of the round before.',
+                'feedback',
+            )
+
+
+def check_last_feedback(goal: Goal, story: str, distance: float) -> None:
+    """What feedback told at last, if there was any, is the distance at the end, in m (rule `feedback`).
+
+    The robot stood there for the last rounds; before, it was at most 2 cm away from there.
+    """
+    last = goal.feedback[-1].distance if goal.feedback else distance
+    expect(
+        last == pytest.approx(distance, abs=0.02),
+        f'{story}the last feedback says {last:.3f} m, and the robot was {distance:.3f} m away: also at the end '
+        'feedback tells the distance.',
+        'feedback',
+    )
+
+
 def check_old_pose(learner, client) -> None:
     """A goal was given up, and 10 s later the newest pose still says where the robot stands: rule `next`."""
     learner.run(10.0, step=1.0)
@@ -152,8 +194,19 @@ def check_old_pose(learner, client) -> None:
         'taken; and the newest pose holds, however old it is.',
         'next',
     )
-    goal.cancel()
+    _cancel_at_once(learner, goal)
+
+
+def _cancel_at_once(learner, goal: Goal) -> None:
+    """Cancel a goal that has just been accepted: it ends within 0.2 s as canceled (rule `cancel`)."""
+    cancel = goal.cancel()
     learner.run(0.3)
+    expect(
+        cancel.answer == 'accepted' and goal.status == 'canceled',
+        f'A goal was cancelled at the moment when it came; 0.3 s later the request is {cancel.answer or "not answered"}'
+        f', and the goal is {goal.status or "still running"}, expected canceled within 0.2 s.{goal.why_aborted}',
+        'cancel',
+    )
 
 
 def check_two_drivers(learner, node, client, poses, commands) -> None:

@@ -10,6 +10,8 @@ from turtlesim.msg import Pose
 from helpers.checks.chapter_05.driving import (
     check_cancel,
     check_corners,
+    check_feedback_now,
+    check_last_feedback,
     check_newest,
     check_old_pose,
     check_order,
@@ -58,6 +60,7 @@ class Robot:
             f'{story}the distance in the result is {goal.result.distance:.3f} m, and {distance:.3f} m were left.',
             'result',
         )
+        check_last_feedback(goal, story, distance)
 
 
 def check_zeros(commands, goal, story):
@@ -209,14 +212,14 @@ def _give_up(learner, robot, goal):
     y = learner.random.choice([0.5, 3.5, 4.5])
     left = math.hypot(7.0, y - 2.0)
     robot.stand(2.0, y, math.pi / 2)  # from now on it has to turn first
-    learner.run(8.0)
+    learner.run(7.3)
     expect(
         not goal.done,
         f'A robot that does not move: the goal {goal.ended} after {(goal.finished or 0) - goal.sent:.1f} s, '
         'expected 20 s. The goal before it had been cancelled: each goal has 20 s of its own.',
         'give-up',
     )
-    rate = len(goal.feedback) / 19.4
+    rate = len(goal.feedback) / 18.7
     expect(
         1.9 <= rate <= 5.1,
         f'{rate:.1f} feedback messages came in a second, expected 2 to 5: it is for people and for slow decisions.',
@@ -230,6 +233,7 @@ def _give_up(learner, robot, goal):
         f'feedback says {", ".join(f"{distance:g}" for distance in told[:5])}.',
         'feedback',
     )
+    check_feedback_now(learner, goal, robot.poses)
     near = learner.random.uniform(0.12, 0.9)
     robot.stand(9.0 - 0.6 * near, 2.0 + 0.8 * near)  # nearly there, and the time is over
     learner.run(1.1)
