@@ -113,7 +113,7 @@ MUTANTS = [
            new='0 < request.x < 11 and 0 < request.y < 11', expect='The goal (11, 0) was rejected'),
     Mutant('first_pose', breaks='steer', also=('arrive', 'feedback', 'result', 'zeros', 'cancel'),
            old='self.pose = pose', new='self.pose = self.pose or pose', expect='use the newest pose'),
-    Mutant('pose_before_the_wait', breaks='steer', edits=(
+    Mutant('pose_before_the_wait', breaks='steer', also='feedback', edits=(
            (WAIT, f'pose = self.pose\n{WAIT}'), (STEER, STEER.replace('self.pose', 'pose'))), expect='as for an older pose'),
     Mutant('floods', breaks='feedback', old=FEEDBACK, new='''
            goal.publish_feedback(DriveTo.Feedback(distance=distance))
@@ -166,7 +166,7 @@ MUTANTS = [
         ''', 'self.busy = False'), ('end()', '''
         end()
         self.create_timer(0.3, lambda: self.motor.publish(Twist()))
-        ''')), also=('cancel', 'steer', 'arrive'), expect='commands came after the goal had ended'),
+        ''')), also=('cancel', 'steer', 'arrive', 'busy'), expect='commands came after the goal had ended'),
     Mutant('zeros_directly_after_end', breaks='zeros', edits=(('''
         self.motor.publish(Twist())
         self.busy = False
