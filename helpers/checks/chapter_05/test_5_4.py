@@ -213,12 +213,7 @@ def _give_up(learner, robot, goal):
     left = math.hypot(7.0, y - 2.0)
     robot.stand(2.0, y, math.pi / 2)  # from now on it has to turn first
     learner.run(7.3)
-    expect(
-        not goal.done,
-        f'A robot that does not move: the goal {goal.ended} after {(goal.finished or 0) - goal.sent:.1f} s, '
-        'expected 20 s. The goal before it had been cancelled: each goal has 20 s of its own.',
-        'give-up',
-    )
+    _check_runs(goal)
     rate = len(goal.feedback) / 18.7
     expect(
         1.9 <= rate <= 5.1,
@@ -234,6 +229,7 @@ def _give_up(learner, robot, goal):
         'feedback',
     )
     check_feedback_now(learner, goal, robot.poses)
+    _check_runs(goal)
     near = learner.random.uniform(0.12, 0.9)
     robot.stand(9.0 - 0.6 * near, 2.0 + 0.8 * near)  # nearly there, and the time is over
     learner.run(1.1)
@@ -250,6 +246,16 @@ def _give_up(learner, robot, goal):
         'give-up',
     )
     robot.check_end(goal, 'After a goal that was given up, ', near)
+
+
+def _check_runs(goal):
+    """The goal, for a robot that does not get there, has not been given up."""
+    expect(
+        not goal.done,
+        f'A robot that does not move: the goal {goal.ended} after {(goal.finished or 0) - goal.sent:.1f} s, '
+        'expected 20 s. The goal before it had been cancelled: each goal has 20 s of its own.',
+        'give-up',
+    )
 
 
 def _check_pause(learner, goal, when):
