@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08 import whereabouts
-from helpers.runner import about, expect
+from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.8'), pytest.mark.wiring(type='place', qos='place')]
 
@@ -32,7 +32,7 @@ def test_given(learner):
     whereabouts.judge_given(learner)
 
 
-@pytest.mark.rules('unknown', 'at-once')
+@pytest.mark.rules('unknown', 'at-once', 'place')
 @pytest.mark.weight(2)
 def test_unknown(learner):
     """Nothing is known, or only half of the way: where() is None, at once, without an exception.
@@ -42,13 +42,10 @@ def test_unknown(learner):
     with about('at-once'):
         lost = whereabouts.Lost(learner)
     whereabouts.judge_unknown(lost)
-    lost.node = learner.start('Courier', beside=lost.node)
-    lost.localizer.tell(*lost.somewhere())
-    learner.run(0.1)
-    expect(lost.where('place') is not None, 'A Courier has heard where the robot is, and where() is None.', 'place')
+    whereabouts.judge_two(lost)
 
 
-@pytest.mark.rules('old', 'again')
+@pytest.mark.rules('old', 'again', 'at-once')
 @pytest.mark.weight(3)
 def test_old(learner):
     """A place that is older than 0.5 s is None; a new one counts again.

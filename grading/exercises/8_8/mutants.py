@@ -128,4 +128,62 @@ MUTANTS = [
         """, expect='0 is a number like any other', breaks='place'),
     Mutant('hundred_metres_at_most', breaks='place', old='return place.x, place.y',
            new='return max(-100.0, min(100.0, place.x)), place.y', expect='and where() is'),
+    Mutant('buffer_of_the_class', breaks='unknown', old='self.buffer = Buffer()', new="""
+        if 'buffer' not in Courier.__dict__:
+            Courier.buffer = Buffer()
+        """, expect='Another one, to which nobody speaks, says'),
+    Mutant('one_listener_for_all', breaks='place', old='self.listener = TransformListener(self.buffer, self)', new="""
+        if 'listener' not in Courier.__dict__:
+            Courier.listener = TransformListener(self.buffer, self)
+        """, expect='belong to the object (self)'),
+    Mutant('asked_once_a_moment', breaks='newest', old='def where(self):', new="""
+        def where(self):
+            now = self.get_clock().now()
+            if getattr(self, 'asked', None) != now:
+                self.asked, self.said = now, self.ask()
+            return self.said
+
+        def ask(self):
+        """, expect='That is the answer of before'),
+    Mutant('asked_ten_times_a_second', breaks='newest', also='old', old='def where(self):', new="""
+        def where(self):
+            now = self.get_clock().now()
+            if not hasattr(self, 'asked') or now - self.asked > Duration(seconds=0.09):
+                self.asked, self.said = now, self.ask()
+            return self.said
+
+        def ask(self):
+        """, expect='That is the answer of before'),
+    Mutant('says_that_it_is_lost', breaks='given', old="""
+        except TransformException:
+            return None
+        """, new="""
+        except TransformException:
+            self.state = 'lost'
+            return None
+        """, expect='where() says where the robot is, and changes nothing'),
+    Mutant('a_state_of_its_own', breaks='given', old='self.buffer = Buffer()',
+           new="self.buffer, self.state = Buffer(), 'waiting'", expect="self.state is 'waiting'"),
+    Mutant('waits_for_a_newer_one', breaks='at-once', old=AGE, new=f"""
+        {AGE}
+            time.sleep(0.1)
+        {AGE}
+        """, imports='import time', expect='While the place is too old, where() takes'),
+    Mutant('waits_in_any_case', breaks='at-once', old=RETURN, new=f"""
+        time.sleep(0.1)
+        {RETURN}
+        """, imports='import time', expect='While the place is known, where() takes'),
+    Mutant('stands_when_it_is_asked', breaks='given', old='def where(self):', new="""
+        def where(self):
+            self.drive(0.0, 0.0)
+        """, expect='and a command came on /cmd_vel'),
+    Mutant('stricter_once_it_was_lost', breaks='again', old=f"""
+        {AGE}
+            return None
+        """, new="""
+        limit = 0.2 if getattr(self, 'lost', False) else 0.5
+        self.lost = self.get_clock().now() - Time.from_msg(found.header.stamp) > Duration(seconds=limit)
+        if self.lost:
+            return None
+        """, expect='whatever was before'),
 ]

@@ -19,6 +19,17 @@ def test_where(learner):
     whereabouts.judge_place(lost)
 
 
+@pytest.mark.rules('unknown', 'place')
+def test_two_robots(learner):
+    """Each of two robots in one program knows what it has heard itself.
+
+    self.buffer = Buffer(), in the constructor.
+    """
+    with about('place'):
+        lost = whereabouts.Lost(learner)
+    whereabouts.judge_two(lost)
+
+
 @pytest.mark.given
 @pytest.mark.rules('given')
 def test_given(learner):

@@ -79,6 +79,26 @@ def judge_given(learner) -> None:
                 'as it is.',
                 'given',
             )
+        for told in (False, True):
+            if told:
+                Localizer(learner).tell(1.0, 2.0, 0.5)
+                learner.run(0.1)
+            before = len(commands.messages)
+            node.call('where')
+            learner.run(0.1)
+            state = node.call('__getattribute__', 'state')
+            expect(
+                len(commands.messages) == before,
+                'where() was called, and a command came on /cmd_vel. where() says where the robot is, and changes '
+                'nothing.',
+                'given',
+            )
+            expect(
+                state == 'idle',
+                f"self.state is {state!r}, and the robot drives nowhere: it stays 'idle', as in a StationKeeper. "
+                'where() says where the robot is, and changes nothing.',
+                'given',
+            )
         name = ''.join(draw.choices('abcdefgh', k=6))
         expect(node.call('place', name) is None, f'Nobody has set {name}, and place({name!r}) is not None.', 'given')
         args = ['--ros-args', '-r', f'__ns:=/{name}']
@@ -114,16 +134,23 @@ def judge_unknown(lost: Lost) -> None:
         lost.learner.run(0.1)
         found = lost.where('unknown')
         expect(found is None, f'{what}, and where() is {found and shown(found)}, expected None.', 'unknown')
-    seconds = min(_seconds(lost) for _ in range(5))  # the shortest: a busy machine may be slow once
-    expect(
-        seconds < QUICK,
-        f'While the place is not known, where() takes {seconds:.2f} s. It must not wait: ask without a timeout.',
-        'at-once',
-    )
+    _judge_at_once(lost, 'While the place is not known')
     # The only transform of the wheels is newer than the only one of the localiser: no moment is known for both.
     lost.localizer.move(1.0, 2.0, 0.5)
     lost.learner.run(0.1)
     lost.where('at-once')
+
+
+def _judge_at_once(lost: Lost, when: str) -> None:
+    """The rule `at-once`."""
+    before = lost.learner.slept
+    seconds = min(_seconds(lost) for _ in range(5))  # the shortest: a busy machine may be slow once
+    slept = lost.learner.slept - before
+    expect(
+        seconds < QUICK and not slept,
+        f'{when}, where() takes {max(seconds, slept / 5):.2f} s. It must not wait: ask without a timeout.',
+        'at-once',
+    )
 
 
 def _seconds(lost: Lost) -> float:
@@ -161,6 +188,7 @@ def judge_place(lost: Lost) -> None:
         )
         expect(same(found[:2], told[:2]), f'{said} In which frame did you ask for which one?', 'place')
     _judge_correction(lost)
+    _judge_moment(lost)
     _judge_zeros(lost)
     for low, high in 2 * ((0.5, 1.5), (-1.5, -0.5), (2.3, 3.1), (-3.1, -2.3)):
         if low == 0.5:
@@ -175,6 +203,42 @@ def judge_place(lost: Lost) -> None:
             'radians, from -π to π.',
             'yaw',
         )
+
+
+def judge_two(lost: Lost) -> None:
+    """The rules `unknown`, `place` and `newest`, of two robots in one program: each one has heard for itself."""
+    learner, told = lost.learner, lost.somewhere()
+    lost.localizer.tell(*told)
+    learner.run(0.1)
+    lost.where('place')
+    own = 'Buffer and listener belong to the object (self), and not to the class.'
+    words = 'A Courier in the same program was told that it is at'
+    number = lost.draw.randint(2, 99)
+    deaf = ['--ros-args', '-r', f'__ns:=/robot{number}', '-r', f'/tf:=/robot{number}/tf']
+    with about('unknown'):
+        other = learner.start('Courier', beside=lost.node, cli_args=deaf)
+        learner.settle()
+        found = other.call('where')
+    expect(
+        found is None,
+        f'{words} {shown(told)}. Another one, to which nobody speaks, says {found and shown(found)}, expected None. '
+        f'{own}',
+        'unknown',
+    )
+    with about('place'):
+        other = learner.start('Courier', beside=lost.node)
+        learner.settle()
+        for what in ('A second one was made then. It hears the same, and', 'Both were told a new place, and'):
+            told = lost.somewhere()
+            lost.localizer.tell(*told)
+            learner.run(0.1)
+            found = other.call('where')
+            expect(
+                same(found, told),
+                f'There is a Courier in the program already. {what} where() of the second one says '
+                f'{found and shown(found)}, expected {shown(told)}. {own}',
+                'place',
+            )
 
 
 def _judge_zeros(lost: Lost) -> None:
@@ -220,6 +284,24 @@ def _judge_correction(lost: Lost) -> None:
         )
 
 
+def _judge_moment(lost: Lost) -> None:
+    """The rule `newest`: asked before and after new transforms come, without time between."""
+    lost.learner.run(0.1)
+    before = lost.where('newest')
+    now = lost.somewhere()
+    lost.localizer.tell(*now)
+    lost.learner.settle()
+    found = lost.where('newest')
+    expect(
+        same(found, now),
+        f'where() was asked, new transforms came, and it was asked again: the robot is at {shown(now[:2])}, and '
+        f'where() says {found and shown(found[:2])}. '
+        + ('That is the answer of before. ' if before and found == before else '')
+        + 'Ask tf2 each time, and keep no answer.',
+        'newest',
+    )
+
+
 def judge_age(lost: Lost) -> None:
     """The rules `old` and `again`."""
     place = lost.somewhere()
@@ -231,6 +313,7 @@ def judge_age(lost: Lost) -> None:
         'are the frames that there are: map, odom, base_footprint.',
         'place',
     )
+    _judge_at_once(lost, 'While the place is known')
     lost.localizer.tell(*place)
     lost.learner.run(0.45)
     for again in ('', ', asked once more,'):
@@ -274,6 +357,7 @@ def judge_age(lost: Lost) -> None:
         f'The transforms are more than a second old, and where() still says {found and shown(found)}.',
         'old',
     )
+    _judge_at_once(lost, 'While the place is too old')
     _judge_halves(lost)
     _judge_stamps(lost)
     _judge_long_silence(lost)
@@ -312,6 +396,16 @@ def _judge_stamps(lost: Lost) -> None:
         'Transforms have just come, and their stamps are 0.62 s old: where() says '
         f'{found and shown(found)}. Look at the stamp, not at the moment of arrival.',
         'old',
+    )
+    place = lost.somewhere()
+    lost.localizer.tell(*place, lost.learner.now / SECOND - 0.4)
+    lost.learner.run(0.02)
+    found = lost.where('again')
+    expect(
+        same(found, place),
+        f'The place was too old. Then transforms came whose stamps are 0.42 s old, and where() is '
+        f'{found and shown(found)}, expected {shown(place)}: up to 0.5 s a place is good, whatever was before.',
+        'again',
     )
     lost.localizer.tell(*lost.somewhere(), lost.learner.now / SECOND + 0.7)
     lost.learner.run(0.02)
