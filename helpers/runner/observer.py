@@ -27,6 +27,11 @@ def processes(log: str) -> list[str]:
     return _STARTED.findall(log)
 
 
+def running(log: str) -> int:
+    """How many processes of a `ros2 launch` with this output have started, and have not ended."""
+    return len(processes(log)) - len(_GONE.findall(log))
+
+
 class Observer:
     """A node in the domain of a test's program; use it in a `with` block."""
 
@@ -72,8 +77,7 @@ class Observer:
 
         def arrived() -> bool:
             log = task.output
-            started, gone = len(processes(log)), len(_GONE.findall(log))
-            return bool(started) and count() >= started - gone
+            return bool(processes(log)) and count() >= running(log)
 
         self.until(arrived, timeout, task)
         self.until(lambda: arrived() and count() >= wanted, LATE, task)

@@ -178,4 +178,17 @@ def generate_launch_description():
            edits=(('    max_linear: 0.6', '    max_linear:0.6'),), expect='a space is missing behind the colon'),
     Mutant('a_mode_that_is_no_text', old='mode: slow', new='mode: off', breaks='types', also='nodes',
            expect='in quotes they are texts'),
+    Mutant('a_third_one_later', edits=(('import LaunchDescription', 'import LaunchDescription, actions'),
+           ("Node(namespace='robot1', parameters=[config], **governor),", """
+           Node(namespace='robot1', parameters=[config], **governor),
+           actions.TimerAction(period=60.0, actions=[Node(namespace='robot3', parameters=[config], **governor)]),
+           """)), expect='These nodes were started: /robot1/governor, /robot2/governor, /robot3/governor', breaks='nodes'),
+    Mutant('a_third_one_in_a_process_that_sleeps', edits=(('import LaunchDescription', 'import LaunchDescription, actions'),
+           ("Node(namespace='robot1', parameters=[config], **governor),", """
+           Node(namespace='robot1', parameters=[config], **governor),
+           actions.ExecuteProcess(cmd=['bash', '-c', 'sleep 60; exec ros2 run fleet governor']),
+           """)), expect='Not each of them has a node', breaks='nodes'),
+    Mutant('by_the_first_folder_of_ros', breaks='installed-file', expect='find it by the name of the package',
+           old="config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])",
+           new="import os\nconfig = os.environ['AMENT_PREFIX_PATH'].split(':')[0] + '/share/fleet/config/fleet.yaml'"),
 ]

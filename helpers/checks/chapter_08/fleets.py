@@ -6,14 +6,15 @@ elsewhere. A node of the learner's own that is only called as the governor is a 
 
 import json
 import secrets
+import shlex
 import signal
 from pathlib import Path
 from typing import Any
 
-from helpers.checks.chapter_08 import launch_output, parameter_files
+from helpers.checks.chapter_08 import hurried_launch, launch_output, parameter_files
 from helpers.runner import about, expect, stand_ins
 from helpers.runner.load import busy
-from helpers.runner.observer import Observer
+from helpers.runner.observer import Observer, processes, running
 from helpers.runner.stand_ins import Start
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
@@ -69,7 +70,7 @@ def launched(learner) -> dict[str, dict]:
     key = 'fleet', workspace.name
     if key not in learner.server.workspaces:
         learner.server.workspaces[key] = _launch(learner, workspace, 'mv src sources', 'fleet fleet.launch.py')
-    log, reports, _ = learner.server.workspaces[key]
+    log, reports, _, others = learner.server.workspaces[key]
     expect(
         'InvalidParameterTypeException' not in log,
         f'A governor did not start: a value in FLEET_YAML has the wrong type.{launch_output.wrong_type(log)} rate and '
@@ -103,6 +104,12 @@ def launched(learner) -> dict[str, dict]:
         f'Several nodes have one name: {", ".join(sorted(names))}. Two robots need two namespaces.',
         'nodes',
     )
+    expect(
+        not others,
+        f'The launch started these processes: {", ".join(others)}. Not each of them has a node, or is done. Start the '
+        'two governors and nothing else: what another process starts later is one more node.',
+        'nodes',
+    )
     return {report['node']: report for report in reports}
 
 
@@ -110,17 +117,19 @@ def launched_with(learner, values: dict[str, float | str]) -> tuple[list[dict], 
     """What is found of the governors when the installed parameter file gives these values to all nodes, and what else
     the launch file gave them.
 
-    A copy of the launch file is launched, in another folder, with the parameter file as it was beside it.
+    A copy of the launch file is launched, in another folder, with the parameter file as it was beside it. This folder
+    is the first one in which ROS looks for packages, and has none.
     """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
     installed = parameter_files.with_values(learner.text('FLEET_YAML'), values)
-    _, reports, starts = _launch(
+    _, reports, starts, _ = _launch(
         learner,
         workspace,
         f'{share}; cp $share/config/fleet.yaml kept.yaml; printf "%s" "$1" > $share/config/fleet.yaml; '
         'mkdir -p elsewhere/launch elsewhere/config; cp $share/launch/fleet.launch.py elsewhere/launch; '
-        'cp kept.yaml elsewhere/config/fleet.yaml; unset COLCON_PREFIX_PATH; cd elsewhere',
+        'cp kept.yaml elsewhere/config/fleet.yaml; unset COLCON_PREFIX_PATH; '
+        'export AMENT_PREFIX_PATH="$PWD/elsewhere:$AMENT_PREFIX_PATH"; cd elsewhere',
         'launch/fleet.launch.py',
         installed,
     )
@@ -259,18 +268,21 @@ def judge_installed_file(learner) -> None:
             )
 
 
-def _launch(learner, workspace, before: str, what: str, *texts: str) -> tuple[str, list[dict], list[Start]]:
-    """`ros2 launch` with the words `what`: what it and the governors have printed, what is found of each node, and how
-    the governors were started.
+def _launch(learner, workspace, before: str, what: str, *texts: str) -> tuple[str, list[dict], list[Start], list[str]]:
+    """`ros2 launch` with the words `what`, in a hurry: what it and the governors have printed, what is found of each
+    node, how the governors were started, and the names of all processes if not each that runs has a node.
 
     :param before: what bash does before, with these texts as $1, …
     """
     heard = stand_ins.of(learner)
     heard.release()
-    task = workspace.start('bash', '-c', f'{before}; exec ros2 launch {what}', 'bash', *texts)
+    script = f'{before}; exec {shlex.join(hurried_launch.COMMAND)} {what}'
+    task = workspace.start('bash', '-c', script, 'bash', *texts)
     with Observer(learner) as observer:
         strangers = observer.all_there(task, PATIENCE, lambda: len(heard.starts(PROGRAM)), len(ROBOTS))
     started = heard.starts(PROGRAM)
+    waiting = running(task.output) > len(strangers) + len(started)
+    others = processes(task.output) if waiting else []
     task.signal(signal.SIGINT)
     heard.release()
     task.wait(10.0)
@@ -278,7 +290,7 @@ def _launch(learner, workspace, before: str, what: str, *texts: str) -> tuple[st
     workspace.run('bash', '-c', '[ ! -e sources ] || mv sources src')
     log, reports = _reports(learner, started)
     reports += [{'node': name, 'stranger': True} for name in strangers]
-    return f'{task.output}\n{log}', reports, started
+    return f'{task.output}\n{log}', reports, started, others
 
 
 def _reports(learner, starts: list[Start]) -> tuple[str, list[dict]]:
