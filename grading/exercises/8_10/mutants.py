@@ -93,4 +93,11 @@ MUTANTS = [
            expect='Pass the value of the argument on', breaks='world', alone=True),
     Mutant('another_file', old=INSTALLED, new=INSTALLED.replace('delivery.yaml', 'delivery_robot.yaml'),
            expect='there is config/delivery.yaml: is that meant', breaks='robot', alone=True),
+    Mutant('one_node_more_later', old=ROBOT, new="""
+        TimerAction(period=60.0, actions=[
+            Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--child-frame-id', 'dock',
+                                                                                        '--frame-id', 'map'])]),
+        """ + ROBOT, edits=(('from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription',
+                             'from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, TimerAction'),),
+           expect='There is one more node, /static_transform_publisher', breaks='world', alone=True),
 ]

@@ -18,7 +18,7 @@ from delivery_interfaces.srv import SetStation
 from rclpy.action import ActionClient
 from std_msgs.msg import String
 
-from helpers.checks.chapter_08 import parameter_files
+from helpers.checks.chapter_08 import hurried_launch, parameter_files
 from helpers.runner import stand_ins
 from helpers.runner.fork_client import Task
 from helpers.runner.load import busy
@@ -263,8 +263,7 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
         _PREPARE,
         'bash',
         installed,
-        'ros2',
-        'launch',
+        *hurried_launch.COMMAND,
         'launch/delivery.launch.py',
         f'scene:={told["scene"]}',
         f'real_time_factor:={told["factor"]}',
