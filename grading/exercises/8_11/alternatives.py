@@ -94,4 +94,55 @@ def test_refuses(bench):
 
         def test_refused(bench):
         """),
+    Alternative('each_class_by_itself', edits=(("""
+        assert not bench.set_station('dock', nan, 0.0).success
+        assert not bench.set_parameter('max_linear', 7.0)
+        """, ''), ('def test_refused(bench):', """
+        @pytest.fixture
+        def made():
+            rclpy.init()
+            yield lambda kind: kind(parameter_overrides=[Parameter('status_period', value=0.1)])
+            rclpy.shutdown()
+
+
+        def spin_until(node, condition):
+            for _ in range(100):
+                if condition():
+                    break
+                rclpy.spin_once(node, timeout_sec=0.1)
+            assert condition()
+
+
+        def test_keeper(made):
+            keeper, said = made(StationKeeper), []
+            keeper.create_subscription(String, 'status', lambda message: said.append(message.data), 10)
+            spin_until(keeper, lambda: 'idle' in said)
+            keeper.state = 'driving to nowhere'
+            spin_until(keeper, lambda: keeper.state in said)
+            assert not keeper.set_parameters([Parameter('max_linear', value=7.0)])[0].successful
+            request = SetStation.Request(name='dock', x=nan)
+            assert not keeper.on_set_station(request, SetStation.Response()).success
+
+
+        def test_courier(made):
+            courier, told = made(Courier), []
+            courier.create_subscription(Twist, 'cmd_vel', told.append, 10)
+            assert courier.where() is None
+            courier.drive(0.2, 0.0)
+            spin_until(courier, lambda: told)
+
+
+        def test_refused(bench):
+        """), ('import pytest', """
+        import pytest
+        import rclpy
+        """), ('from action_msgs.msg import GoalStatus', """
+        from action_msgs.msg import GoalStatus
+        from delivery_interfaces.srv import SetStation
+        from delivery_robot.robot import Courier, StationKeeper
+        from geometry_msgs.msg import Twist
+        from rclpy.parameter import Parameter
+        from std_msgs.msg import String
+        """), ("bench.until(lambda: bench.status[-1:] == ['driving to gate'] and bench.commands)",
+               'bench.until(lambda: bench.commands)'))),
 ]

@@ -1,7 +1,8 @@
 """Robots for exercise 8.11: the learner's own one, and the same spoilt in twelve ways, for its visible tests.
 
 What spoils a robot stands behind the learner's classes, in their module. It changes what they see of rclpy, and the
-methods that the cards of 8.7 to 8.9 name. It is the same text for all of these robots, right ones among them: only the
+methods that the cards of 8.7 to 8.9 name, in the class in which they stand: so a StationKeeper and a Courier that tests
+make by themselves are spoilt, too. It is the same text for all of these robots, right ones among them: only the
 conditions in it differ. When it is disguised, numbers are drawn with which they are computed. So no name, no size and
 no constant tells what is spoilt.
 """
@@ -110,42 +111,72 @@ def steer(*arguments, **named):
     return result
 
 
-class DeliveryRobot(DeliveryRobot):
+def publishing(given):
     def create_publisher(self, msg_type, topic, *others, **options):
         if {silent} and topic == 'status':
             topic = 'nothing'
-        publisher = super().create_publisher(msg_type, topic, *others, **options)
+        publisher = given(self, msg_type, topic, *others, **options)
         if {idle} and topic == 'status':
             publish = publisher.publish
             publisher.publish = lambda message: publish(String(data='idle'))
         return publisher
 
+    return create_publisher
+
+
+def accepted(response):
+    if {any_place}:
+        response.success = True
+    return turned(response)
+
+
+def serving(given):
     def create_service(self, srv_type, name, callback, *others, **options):
-        def accepted(response):
-            if {any_place}:
-                response.success = True
-            return turned(response)
-
-        if name == 'set_station':
+        if name == 'set_station' and getattr(callback, '__func__', None) is not StationKeeper.on_set_station:
             callback = through(callback, lambda *arguments: None, accepted)
-        return super().create_service(srv_type, name, callback, *others, **options)
+        return given(self, srv_type, name, callback, *others, **options)
 
+    return create_service
+
+
+def declaring(given):
     def declare_parameters(self, namespace, parameters, *others, **options):
         parameters = [described(*one) if len(one) > 2 else one for one in parameters]
         if {any_value}:
             parameters = [one[:2] for one in parameters]
-        return super().declare_parameters(namespace, parameters, *others, **options)
+        return given(self, namespace, parameters, *others, **options)
 
+    return declare_parameters
+
+
+def driving(given):
     def drive(self, linear, angular):
-        if {still} or {runs_on} and self.called_back and linear == angular == 0.0:
+        if {still} or {runs_on} and getattr(self, 'called_back', False) and linear == angular == 0.0:
             return
-        super().drive(linear, angular)
+        given(self, linear, angular)
 
+    return drive
+
+
+def seeing(given):
     def where(self):
-        place = super().where()
+        place = given(self)
         if {blind}:
             place = self.seen = place or getattr(self, 'seen', None)
         return place
+
+    return where
+
+
+StationKeeper.create_publisher = publishing(StationKeeper.create_publisher)
+StationKeeper.on_set_station = through(StationKeeper.on_set_station, lambda *arguments: None, accepted)
+StationKeeper.create_service = serving(StationKeeper.create_service)
+StationKeeper.declare_parameters = declaring(StationKeeper.declare_parameters)
+for kind in (Courier, DeliveryRobot):
+    if 'drive' in vars(kind):
+        kind.drive = driving(kind.drive)
+    if 'where' in vars(kind):
+        kind.where = seeing(kind.where)
 """
 
 
