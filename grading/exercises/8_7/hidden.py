@@ -19,7 +19,7 @@ def test_parameters(learner):
     declare_parameter(name, default, bounded(description, low, high)).
     """
     with about('parameters'):
-        stations.Keeper(learner)
+        stations.Keeper(learner, strict=False)
     stations.judge_table(learner, '', Parameters(learner, '/delivery_robot'))
 
 
@@ -36,11 +36,11 @@ def test_status(learner):
     stations.judge_status(keeper, period)
 
 
-@pytest.mark.rules('names')
+@pytest.mark.rules('names', 'status-period')
 def test_relative_names(learner):
-    """In a namespace, status and set_station are in it.
+    """In a namespace, status and set_station are in it, and the status has its period.
 
-    Names without a slash at their beginning.
+    Names without a slash at their beginning. The period of the timer is the parameter's value.
     """
     keeper = stations.Keeper(learner, f'/robot{learner.random.randint(2, 99)}')
     response = keeper.set('a', 1.0, 2.0, 'names')
@@ -50,6 +50,7 @@ def test_relative_names(learner):
         f'In the namespace {keeper.namespace}, nothing came on status.',
         'station' if not response.success else 'status',
     )
+    stations.judge_periods(learner)
     check_options(learner, 'StationKeeper', 'names')
 
 
@@ -61,5 +62,5 @@ def test_stations(learner):
     A dictionary: name → (x, y).
     """
     with about('station'):
-        keeper = stations.Keeper(learner)
+        keeper = stations.Keeper(learner, strict=False)
     stations.judge_stations(keeper)

@@ -54,6 +54,8 @@ MUTANTS = [
            self.renew([])
            '''), ('def place(self, name):', '''
            def renew(self, parameters):
+               if parameters and 'status_period' not in [parameter.name for parameter in parameters]:
+                   return
                self.timer and self.destroy_timer(self.timer)
                self.timer = self.create_timer(
                    self.value('status_period'), lambda: self.publisher.publish(String(data=self.state)))
@@ -217,4 +219,45 @@ if len(self.stations) > 5:
            imports='from rclpy.duration import Duration', breaks='latched', expect='has the lifespan'),
     Mutant('status_in_small_letters', old='data=self.state)', new='data=self.state.lower())', breaks='status', also='latched',
            expect='publish it as it is then'),
+    Mutant('silent_after_five_hundred', edits=((TICK, 'self.on_timer'), ('    def value(self, name):', """
+           def on_timer(self):
+               self.count = getattr(self, 'count', 0) + 1
+               if self.count <= 500:
+                   self.publisher.publish(String(data=self.state))
+
+           def value(self, name):
+           """)), breaks='status-period', expect='it goes on as long as the robot runs'),
+    Mutant('best_effort', edits=((LATCHED, """
+           latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL,
+                                reliability=ReliabilityPolicy.BEST_EFFORT)
+           """),), imports='from rclpy.qos import ReliabilityPolicy', breaks='latched',
+           expect='offers reliability BEST_EFFORT'),
+    Mutant('two_seconds_at_most', old="self.value('status_period'), lambda", new="min(2.0, self.value('status_period')), lambda",
+           breaks='status-period', expect='The period is the value of the parameter'),
+    Mutant('eight_a_second_at_most', old="self.value('status_period'), lambda",
+           new="max(0.12, self.value('status_period')), lambda", breaks='status-period',
+           expect='The period is the value of the parameter'),
+    Mutant('whole_milliseconds', old="self.value('status_period'), lambda",
+           new="round(self.value('status_period'), 3), lambda", breaks='status-period',
+           expect='The period is the value of the parameter'),
+    Mutant('also_when_it_refuses', old="response.message = 'name must not be empty, x and y must be finite'", new="""
+           response.message = 'bad'
+           self.publisher.publish(String(data=self.state))
+           """, breaks='status-period', expect='A station was refused, and at once'),
+    Mutant('also_when_it_is_asked', old='return self.stations.get(name)', new="""
+           self.publisher.publish(String(data=self.state))
+           return self.stations.get(name)
+           """, breaks='status-period', expect='place was called, and at once'),
+    Mutant('also_with_each_parameter', old=TIMER, new=f"""
+           {TIMER}
+           self.add_post_set_parameters_callback(lambda _: self.publisher.publish(String(data=self.state)))
+           """, breaks='status-period', expect='max_linear was set, and at once'),
+    Mutant('begins_again_with_each_station', edits=((TIMER, f'self.timer = {TIMER}'), (KEPT, f"""
+           {KEPT}
+           self.timer.reset()
+           """)), breaks='status-period', expect='no request changes the rhythm'),
+    Mutant('begins_again_with_each_parameter', old=TIMER, new=f"""
+           self.timer = {TIMER}
+           self.add_post_set_parameters_callback(lambda _: self.timer.reset())
+           """, breaks='status-period', expect='no request changes the rhythm'),
 ]

@@ -11,6 +11,7 @@ from helpers.checks.chapter_03.endpoints import check_lifespan
 from helpers.checks.chapter_08.parameters import Parameters, check_bounds
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
+from helpers.runner.verdicts import WiringError
 
 TABLE = {
     'max_linear': (0.5, 0.05, 1.0),
@@ -39,20 +40,26 @@ ODD_NAMES = [
     'left\tright',
     'None',
 ]
+MANY = 600  # periods
 NAMES = ['kitchen', 'office', 'lab', 'storage', 'gate 7', 'Küche', 'dock', 'x']
 
 
 class Keeper:
     """The learner's node in a namespace, with what the tests hear and ask."""
 
-    def __init__(self, learner, namespace: str = '', **parameters):
+    def __init__(self, learner, namespace: str = '', *, strict: bool = True, **parameters):
+        """:param strict: whether a status that cannot be heard is a fault here. :param parameters: of the node."""
         self.learner, self.namespace = learner, namespace
-        self.heard = learner.listen(f'{namespace}/status', String)
+        self.heard = learner.listen(f'{namespace}/status', String, strict=strict)
         self.stations = learner.client(f'{namespace}/set_station', SetStation)
-        self.node = learner.start(
-            'StationKeeper', remap={'__ns': namespace} if namespace else None, parameters=parameters or None
-        )
-        learner.settle()
+        try:
+            self.node = learner.start(
+                'StationKeeper', remap={'__ns': namespace} if namespace else None, parameters=parameters or None
+            )
+            learner.settle()
+        except WiringError as error:  # `about` would name a rule that has nothing to do with it
+            error.rule = 'latched' if error.kind == 'qos' else 'names'
+            raise
         name = f'{namespace}/delivery_robot'
         expect(self.node.name == name, f'Your node is called {self.node.name}, expected {name}.', 'names')
         absolute = learner.endpoints('/status').publishers if namespace else []
@@ -99,23 +106,7 @@ def judge_status(keeper: Keeper, period: float) -> None:
         f'expected {[round(stamp, 3) for stamp in wanted]}.',
         'status-period',
     )
-    # Of any length, with any letters.
-    state = f' Driving to {learner.random.choice(NAMES)}' + learner.random.randint(9, 20) * ' and on' + ' '
-    keeper.node.call('__setattr__', 'state', state)
-    keeper.set('b', 1.0, 2.0)
-    learner.run(period)
-    expect(
-        len(heard) == 4,
-        f'A station was set, and {len(heard) - 3} messages came on status in one period of {period:g} s, expected 1: '
-        'only the timer publishes.',
-        'status-period',
-    )
-    expect(
-        heard.data[-1] == state,
-        f'self.state became {state!r}, a station was set, and {period:g} s later {heard.data[-1]!r} came on '
-        'status: publish it as it is then.',
-        'status',
-    )
+    state = _judge_one_period(keeper, period)
     with about('latched'):
         late = learner.late_listener(f'{keeper.namespace}/status', String)
     expect(
@@ -140,14 +131,76 @@ def judge_status(keeper: Keeper, period: float) -> None:
     _judge_status_after_long(keeper, period)
 
 
+def _judge_one_period(keeper: Keeper, period: float) -> str:
+    """The rules `status` and `status-period`, from the third message to the fourth; returns the new state.
+
+    Meanwhile all sorts of requests come, and none of them is a reason for a message, or for another rhythm.
+    """
+    learner, heard = keeper.learner, keeper.heard
+    # Of any length, with any letters.
+    state = f' Driving to {learner.random.choice(NAMES)}' + learner.random.randint(9, 20) * ' and on' + ' '
+    parameters = Parameters(learner, f'{keeper.namespace}/delivery_robot')
+    for what, ask in (
+        ('A station was refused', lambda: keeper.set('', 1.0, 2.0)),
+        ('max_linear = 7 was asked for', lambda: parameters.set(max_linear=7.0)),
+        (f'self.state became {state!r}', lambda: keeper.node.call('__setattr__', 'state', state)),
+        ('A station was set', lambda: keeper.set('b', 1.0, 2.0)),
+        ('place was called', lambda: keeper.place('b', 'status-period')),
+        ('max_linear was set', lambda: parameters.set(max_linear=0.3)),
+    ):
+        ask()
+        learner.settle()
+        expect(
+            len(heard) == 3, f'{what}, and at once a message came on status: only the timer publishes.', 'status-period'
+        )
+    learner.run(period)
+    expect(
+        len(heard) == 4,
+        f'A station and a parameter were set, and {len(heard) - 3} messages came on status in one period of '
+        f'{period:g} s, expected 1: only the timer publishes.',
+        'status-period',
+    )
+    expect(
+        heard.stamps[-1] == pytest.approx(4 * period, abs=1e-4),
+        f'With status_period = {period:g}, a station and a parameter were set at {3.05 * period:.3f} s. The next '
+        f'message came at {heard.stamps[-1]:.3f} s, expected {4 * period:.3f} s: no request changes the rhythm.',
+        'status-period',
+    )
+    expect(
+        heard.data[-1] == state,
+        f'self.state became {state!r}, a station was set, and {period:g} s later {heard.data[-1]!r} came on '
+        'status: publish it as it is then.',
+        'status',
+    )
+    return state
+
+
+def judge_periods(learner) -> None:
+    """The rule `status-period`, with a period that is nearly the shortest, and one that is nearly the longest."""
+    draw = learner.random
+    for number, (low, high) in enumerate(((0.101, 0.114), (7.0, 9.9)), draw.randint(2, 50)):
+        period = round(draw.uniform(low, high), 3) + 0.0004  # no whole number of milliseconds
+        with about('status-period'):
+            keeper = Keeper(learner, f'/robot{number}', status_period=period)
+        begin = learner.now / SECOND
+        learner.run(2.05 * period)
+        at = [round(stamp - begin, 5) for stamp in keeper.heard.stamps]
+        expect(
+            at == pytest.approx([period, 2 * period], abs=5e-5),
+            f'Started with status_period = {period:g}, messages came on status after {at} s, expected '
+            f'{[round(period, 5), round(2 * period, 5)]}. The period is the value of the parameter, as it is.',
+            'status-period',
+        )
+
+
 def _judge_status_after_long(keeper: Keeper, period: float) -> None:
     """The status comes, and is that of the moment, also when the robot has run for long."""
     learner, heard = keeper.learner, keeper.heard
     heard.clear()
-    learner.run(150 * period, step=10 * period)
+    learner.run(MANY * period, step=10 * period)
     expect(
-        len(heard) == 150,
-        f'Then {len(heard)} messages came on status in 150 periods of {period:g} s, expected 150: it goes on '
+        len(heard) == MANY,
+        f'Then {len(heard)} messages came on status in {MANY} periods of {period:g} s, expected {MANY}: it goes on '
         'as long as the robot runs.',
         'status-period',
     )
@@ -156,8 +209,8 @@ def _judge_status_after_long(keeper: Keeper, period: float) -> None:
     learner.run(period)
     expect(
         heard.data[-1] == state,
-        f'More than 150 periods after the start self.state became {state!r}, and {period:g} s later {heard.data[-1]!r} '
-        'came on status: publish it as it is then.',
+        f'More than {MANY} periods after the start self.state became {state!r}, and {period:g} s later '
+        f'{heard.data[-1]!r} came on status: publish it as it is then.',
         'status',
     )
 
@@ -191,7 +244,7 @@ def judge_start(learner) -> None:
     """The rule `parameters`, for values that are given at the start."""
     given = {name: round(learner.random.uniform(low, high), 3) for name, (_, low, high) in TABLE.items()}
     with about('parameters'):
-        Keeper(learner, **given)
+        Keeper(learner, strict=False, **given)
     parameters = Parameters(learner, '/delivery_robot')
     for name, value in given.items():
         got = parameters.get(name)
