@@ -52,4 +52,14 @@ class Governor(Node):
         msg.angular.z = 0.0 if self.values['mode'] == 'stop' else angular
         self.out.publish(msg)
 '''),
+    Alternative('new_period_of_the_same_timer', old="""
+        self.destroy_timer(self.timer) if self.timer else None
+        self.timer = self.create_timer(1 / self.get_parameter('rate').value, self.on_timer)
+        """, new="""
+        if self.timer:
+            self.timer.timer_period_ns = round(1e9 / self.get_parameter('rate').value)
+            self.timer.reset()
+        else:
+            self.timer = self.create_timer(1 / self.get_parameter('rate').value, self.on_timer)
+        """),
 ]

@@ -305,4 +305,18 @@ class Governor(Node):
     Mutant('no_pair_in_the_mode_slow', old=PAIR, new=f"""
            {PAIR} or new['mode'] == 'slow'
            """, breaks='pair', expect='in each mode', also='refused'),
+    Mutant('silent_after_five_hundred', breaks='rhythm', old='self.publisher.publish(command)', new="""
+           self.said = getattr(self, 'said', 0) + 1
+           if self.said <= 500:
+               self.publisher.publish(command)
+           """, expect='it goes on as long as the robot runs'),
+    Mutant('new_period_without_a_new_begin', breaks='new-rate', old="""
+           self.destroy_timer(self.timer) if self.timer else None
+           self.timer = self.create_timer(1 / self.get_parameter('rate').value, self.on_timer)
+           """, new="""
+           if self.timer:
+               self.timer.timer_period_ns = round(1e9 / self.get_parameter('rate').value)
+           else:
+               self.timer = self.create_timer(1 / self.get_parameter('rate').value, self.on_timer)
+           """, expect='expected one every'),
 ]

@@ -19,6 +19,8 @@ TABLE = (
 # Their periods have more than two decimals, and are whole nanoseconds.
 RATES = (1.25, 3.2, 6.4, 8.0, 16.0, 40.0)
 
+LONG = 600  # s, and at 1 message a second as many messages
+
 
 def command(linear: float, angular: float = 0.0) -> Twist:
     """A command, in m/s and rad/s."""
@@ -403,14 +405,24 @@ def _judge_new_rate(governed: Governed, rate: float) -> float:
 
 
 def _judge_silent_planner(governed: Governed, rate: float) -> None:
-    """One command, and none for minutes: it is still the newest one. Afterwards the rate is the one of before."""
+    """One command, and none for minutes: it is still the newest one, and the rhythm goes on.
+
+    Afterwards the rate is the one of before.
+    """
     governed.send(command(0.1, 0.5))
     governed.accepts('new-rate', rate=1.0)
-    got = {(one.linear.x, one.angular.z) for one in governed.after(150.0)}
+    came = governed.after(LONG + 0.5)
+    expect(
+        len(came) == LONG,
+        f'With rate = 1, {len(came)} messages came in {LONG + 0.5:g} s, expected {LONG}: it goes on as long as the '
+        'robot runs.',
+        'rhythm',
+    )
+    got = {(one.linear.x, one.angular.z) for one in came}
     expect(
         got == {(0.1, 0.5)},
-        f'The planner said 0.1 m/s and 0.5 rad/s, and then nothing for 150 s. In this time (linear.x, angular.z) was '
-        f'{sorted(got)}. A command holds until the next one comes.',
+        f'The planner said 0.1 m/s and 0.5 rad/s, and then nothing for {LONG} s. In this time (linear.x, angular.z) '
+        f'was {sorted(got)}. A command holds until the next one comes.',
         'limit' if len(got) == 1 else 'newest',
     )
     governed.accepts('new-rate', rate=rate)
