@@ -61,7 +61,7 @@ MUTANTS = [
     Mutant('thirty_degrees', old='abs(angle) <= 0.5', new='abs(angle) <= math.radians(30)',
            expect='First the robot must turn', breaks='on-the-spot'),
     Mutant('near_is_there', old='if abs(angle) <= 0.5', new='if abs(angle) <= 0.5 and distance > 0.02',
-           expect='linear is 0.000 m/s', breaks='linear'),
+           expect='linear, in m/s, is 0.000', breaks='linear'),
     Mutant('no_turn_when_near', old='if distance else 0.0', new='if distance > 0.01 else 0.0', breaks='angle',
            expect='Only at distance 0 there is no direction'),
     Mutant('drives_anyhow_when_near', old='if abs(angle) <= 0.5', new='if abs(angle) <= 0.5 or distance < 0.3',
@@ -104,4 +104,6 @@ MUTANTS = [
            new='math.tau) if distance > 1e-6 else 0.0', breaks='angle', expect='Only at distance 0 there is no direction'),
     Mutant('turns_at_the_goal_when_it_looks_back', old='if distance else 0.0', new='if distance or abs(yaw) > 3 else 0.0',
            breaks='at-the-goal', expect='The robot is at its goal'),
+    Mutant('twenty_kilometres_at_most', breaks='distance', old='distance = math.hypot(dx, dy)',
+           new='distance = min(20_000.0, math.hypot(dx, dy))', expect='The way goes from the robot to the goal'),
 ]

@@ -90,7 +90,12 @@ def side_of(angle: float) -> str:
 def judge_distance(learner) -> None:
     """The rule `distance`."""
     draw = learner.random
-    for angle, far in ((0.0, draw.uniform(0.5, 4)), (0.3, draw.uniform(20, 60)), (-2.0, draw.uniform(0.5, 4))):
+    for angle, far in (
+        (0.0, draw.uniform(0.5, 4)),
+        (0.3, draw.uniform(20, 60)),
+        (-2.0, draw.uniform(0.5, 4)),
+        (0.3, draw.uniform(2e5, 9e5)),
+    ):
         arguments = case(draw, angle, far)
         got = steer(learner, 'distance', *arguments)[0]
         wanted = right(*arguments)[0]
