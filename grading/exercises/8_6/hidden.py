@@ -32,6 +32,9 @@ KINDS = (
             'that does not turn when it looks nearly at the goal': angular(
                 'max(-max_angular, min(max_angular, 2 * angle)) if abs(angle) > 0.22 else 0.0'
             ),
+            'that turns slowly when it looks away from the goal': angular(
+                'max(-max_angular, min(max_angular, 2 * angle if abs(angle) < 1.8 else angle / 50))'
+            ),
             'that turns to the left, whatever comes': angular('min(max_angular, 2 * abs(angle))'),
         },
     ),

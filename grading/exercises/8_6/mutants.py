@@ -101,4 +101,12 @@ def test_straight_ahead():
 
         def test_at_the_goal():
         """, expect='A test of yours fails with a function', breaks='right-functions'),
+    Mutant('only_the_side_of_large_turns', breaks='turns',
+           old='assert (distance, turn) == pytest.approx((2.0, angular), abs=1e-6)', new="""
+        assert distance == pytest.approx(2.0)
+        if abs(angle) < 1.0:
+            assert turn == pytest.approx(angular, abs=1e-6)
+        else:
+            assert 0.0 < turn / angular < 1.001
+        """, expect='that turns slowly when the goal is behind it'),
 ]

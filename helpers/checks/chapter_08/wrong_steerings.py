@@ -61,6 +61,9 @@ KINDS = (
                 'max(-max_angular, min(max_angular, 2 * angle)) if abs(angle) >= 0.25 else 0.0'
             ),
             'that turns with 3 times the angle': angular('max(-max_angular, min(max_angular, 3 * angle))'),
+            'that turns slowly when the goal is behind it': angular(
+                'max(-max_angular, min(max_angular, 2 * angle if abs(angle) < 1.6 else angle / 40))'
+            ),
         },
     ),
     Kind(
