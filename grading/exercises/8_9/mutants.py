@@ -153,7 +153,7 @@ self.state = 'idle'
     Mutant('distance_unknown_when_lost', old='if pose:', new='distance = -1.0\nif pose:\n', expect='It was known last',
            breaks='result', alone=True),
     Mutant('drives_without_a_name', old="self.state = f'driving to {request.station}'", new="self.state = 'driving'",
-           expect="the status is 'driving'", breaks='state', alone=True),
+           expect="self.state is 'driving'", breaks='state', alone=True),
     Mutant('says_where_it_went', edits=(("self.state != 'idle' or", "self.state.startswith('driving') or"),
             ("self.state = 'idle'", "self.state = why")), expect="expected 'idle'", breaks='state', alone=True),
     Mutant('place_of_the_last_request', edits=((
@@ -227,9 +227,9 @@ elif pose is None:
              'step, distance, end, lost = self.place(goal.request.station), 0, -1.0, None, 0')),
            expect='it ends in the round in which where() is None', breaks='lost', alone=True),
     Mutant('small_letters', old="f'driving to {request.station}'", new="f'driving to {request.station.lower()}'",
-           expect='the status is', breaks='state', alone=True),
+           expect='self.state is', breaks='state', alone=True),
     Mutant('twenty_letters_of_a_name', breaks='state', old="f'driving to {request.station}'",
-           new="f'driving to {request.station[:20]}'", expect='the status is'),
+           new="f'driving to {request.station[:20]}'", expect='self.state is'),
     Mutant('goes_on_if_it_is_near', breaks='cancel', old='if goal.is_cancel_requested:',
            new='if goal.is_cancel_requested and distance > 0.3:', expect='a goal 0.28 m away was sent'),
     Mutant('silent_at_the_end', breaks='feedback', old='if step % 4 == 0:', new='if step % 4 == 0 and distance > 0.5:',
@@ -254,4 +254,46 @@ elif pose is None:
            nearest = distance if step == 1 else min(nearest, distance)
            if step % 4 == 0:
            """)), expect='then it was carried away'),
+    Mutant('idle_when_it_is_called_back', breaks='state', also='single', alone=True, edits=(
+           ('cancel_callback=lambda goal: CancelResponse.ACCEPT', 'cancel_callback=self.on_cancel'),
+           ('def execute(self, goal):', """
+           def on_cancel(self, goal):
+               self.state = 'idle'
+               return CancelResponse.ACCEPT
+
+           def execute(self, goal):
+           """)), expect='A cancel request came, and the goal'),
+    Mutant('drives_before_it_says_so', breaks='state', alone=True, edits=(
+           ("if self.state != 'idle' or", 'if self.taken or'),
+           ("self.state = f'driving to {request.station}'", 'self.taken = True'),
+           ('super().__init__(**options)', """
+           super().__init__(**options)
+           self.taken = False
+           """),
+           ('step, pose = step + 1, self.where()', """
+           self.state = f'driving to {goal.request.station}'
+           step, pose = step + 1, self.where()
+           """),
+           ("self.state = 'idle'", "self.taken, self.state = False, 'idle'")),
+           expect='and no time has passed'),
+    Mutant('idle_a_moment_later', breaks='state', alone=True, edits=(
+           ("if self.state != 'idle' or", 'if self.taken or'),
+           ("self.state = f'driving to {request.station}'", "self.taken, self.state = True, f'driving to {request.station}'"),
+           ('super().__init__(**options)', """
+           super().__init__(**options)
+           self.taken = False
+           """),
+           ("self.state = 'idle'", """
+           self.taken = False
+           self.later = self.create_timer(0.1, self.rest)
+           """),
+           ('def execute(self, goal):', """
+           def rest(self):
+               self.later.cancel()
+               self.state = self.state if self.taken else 'idle'
+
+           def execute(self, goal):
+           """)), expect='s after its end the status was'),
+    Mutant('a_quarter_of_a_second_early', breaks='timeout', alone=True, old="0.1 * step >= self.value('timeout')",
+           new="0.1 * step >= self.value('timeout') - 0.25", expect='Each goal has that time for itself'),
 ]
