@@ -171,8 +171,6 @@ def _choose(ubuntu, month, rows):
     Mutant('a_set', old="return max(supported, key=lambda name: mine[name][2]), 'supported'",
            new="return {max(supported, key=lambda name: mine[name][2]), 'supported'}", expect='A set has no order',
            breaks='pair'),
-    Mutant('without_blanks', old='if row[0] == ubuntu}', new='if row[0] == ubuntu.strip()}', expect='No row of the table',
-           breaks='unknown'),
     Mutant('ubuntu_as_a_number', old='if row[0] == ubuntu}', new='if ubuntu.count(".") == 1 and float(row[0]) == float(ubuntu)}',
            expect='No row of the table', breaks='unknown'),
     Mutant('four_rows_of_each', old='mine = {name: row for name, row in releases.items() if row[0] == ubuntu}',

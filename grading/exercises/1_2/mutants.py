@@ -196,8 +196,6 @@ MUTANTS = [
            expect='a capital letter makes another name', breaks='ros-distro'),
     Mutant('path_in_small_letters', old="for folder in prefixes.split(':')]", new="for folder in prefixes.lower().split(':')]",
            expect='a capital letter makes another name', breaks='ros-distro', also='mixed'),
-    Mutant('distro_without_blanks', old="environ.get('ROS_DISTRO')", new="environ.get('ROS_DISTRO', '').strip()",
-           expect='A blank counts', breaks='ros-distro'),
     Mutant('rolling_does_not_count', old='len(part) > 3}', new="len(part) > 3 and part[3] != 'rolling'}",
            expect='whatever stands behind /opt/ros/', breaks='mixed'),
     Mutant('python_in_any_letters', old=PYTHON, new=PYTHON.replace('part.startswith', 'part.lower().startswith'),

@@ -71,7 +71,7 @@ def cases(random: Random) -> list[Case]:
         'to-come': [('26.04', '2026-04'), ('24.04', '2023-11'), ('22.04', '2020-12')],
         'unknown': [
             *(('23.10', '2026-11'), ('18.04', '2020-06'), ('24', '2025-06'), ('', '2026-01')),
-            *(('24.04 ', '2025-06'), ('24.040', '2025-06')),  # nearly one of the table, and another text
+            ('24.040', '2025-06'),  # nearly one of the table, and another text
         ],
     }
     return [

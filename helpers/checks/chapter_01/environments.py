@@ -148,9 +148,6 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
             Case('ros-distro', {PREFIX: f'/opt/ros/{distro}', 'ROS_DISTRO': one}, mixed, LETTERS)
             for one in (distro.capitalize(), distro.upper())
         ],
-        Case(
-            'ros-distro', {PREFIX: f'/opt/ros/{distro}', 'ROS_DISTRO': f'{distro} '}, mixed, 'A blank is a character.'
-        ),
         Case('ros-distro', {PREFIX: '/opt/ros/Meadow', 'ROS_DISTRO': 'Meadow'}, {}, LETTERS),
     ]
 
