@@ -166,7 +166,7 @@ def _slip(name: str, error: NameError) -> str:
     ]
     lines, number = frames[-1] if frames else ([], 0)
     text = ''.join(lines)
-    return slips.class_meant(name, text) or slips.missing_self(name, text, lines[number - 1] if lines else '')
+    return slips.class_meant(name, text) or slips.missing_self(name, text, ''.join(lines[number - 1 : number]))
 
 
 def _in_a_cell_that_ran(name: str) -> str:
