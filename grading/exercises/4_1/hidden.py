@@ -221,7 +221,7 @@ def test_server_comes_later(learner):
     Do not wait for the service in the constructor: a request to nobody is like one without an answer.
     """
     states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
-    node = learner.start('GripperClient')
+    node = learner.start('GripperClient', 1.0, 3)
     check_constructor(learner)
     server = learner.serve('/set_gripper', SetBool, {'success': True})
     server.stop()

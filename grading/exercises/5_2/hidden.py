@@ -52,12 +52,12 @@ def test_in_time(learner):
         f'The orders {[goal.request.order for goal in server.goals]} came, expected one goal, {order}.',
         'send',
     )
+    expect(not server.cancel_stamps, 'A cancel request came for a goal that ended in time.', 'deadline')
     expect(
         outcome.data == [f'succeeded {list(range(order))}'],
         f'/outcome said {outcome.data}, expected ["succeeded {list(range(order))}"], once.',
         'word',
     )
-    expect(not server.cancel_stamps, 'A cancel request came for a goal that ended in time.', 'deadline')
     waits = [server.goals[0].arrived]
     for _ in range(4):  # some parts of a server may be seen late, but not each time
         started = learner.now / 1e9

@@ -15,7 +15,7 @@ NEWEST = 'test_newest_wins'
 OTHERS = ('newest', 'aborted', 'stops', 'rejected', 'cancel', 'names')
 
 MUTANTS = [
-    Mutant('one_result_object', breaks='aborted', also='newest', edits=(("super().__init__('newest_wins')", '''
+    Mutant('one_result_object', breaks='aborted', also=('newest', 'stops'), edits=(("super().__init__('newest_wins')", '''
             super().__init__('newest_wins')
             self.result = Fibonacci.Result()
             '''), ('''
@@ -68,7 +68,7 @@ MUTANTS = [
                 return CancelResponse.ACCEPT
 
             def on_accepted(self, goal):
-            ''')), expect='it had ended before'),
+            ''')), expect='as aborted'),
     Mutant('ends_only_while_a_newer_one_runs', breaks='aborted', also=('newest', 'stops'),
            old='if goal.is_cancel_requested or goal is not self.newest:',
            new='if goal.is_cancel_requested or (goal is not self.newest and self.newest.is_active):',

@@ -155,6 +155,6 @@ MUTANTS = [
            if command.linear.x < 0.03:
                command.linear.x = 0.0
            """, expect='and chase says'),
-    Mutant('publisher_of_the_class', breaks='topic', old='self.motor = self.create_publisher(', expect='in 0.3 s, expected 3',
+    Mutant('publisher_of_the_class', breaks='topic', old='self.motor = self.create_publisher(', expect='and before it was made',
            new='Follower.motor = self.create_publisher('),
 ]

@@ -265,21 +265,19 @@ def check_limit(there: Pursuit) -> None:
 
 def _check_two(there: Pursuit) -> None:
     """Another follower in the same program leaves this one its frames: rule `place`."""
+    alone = _count_for_a_while(there)
     there.learner.start('Follower', 'nobody', 'somebody', beside=there.node)
     for _ in range(2):
         there.learner.run(0.3)
         there.tell()
     there.learner.run(0.15)
     leader, me = there.names
-    count = len(there.commands)
-    for _ in range(3):
-        there.tell()
-        there.learner.run(0.1)
-    count = len(there.commands) - count
+    count = _count_for_a_while(there)
     expect(
-        count == 3,
+        0 < count < 2 * alone,  # with another period than 0.1 s it may be one more, or less
         f"Another Follower('nobody', 'somebody') was made in the same program. Then {count} commands came on "
-        f'/{me}/cmd_vel in 0.3 s, expected 3. The publisher and the timer belong to the object (self).',
+        f'/{me}/cmd_vel in 0.4 s, and before it was made {alone}. The publisher and the timer belong to the object '
+        '(self).',
         'topic',
     )
     expect(
@@ -288,6 +286,15 @@ def _check_two(there: Pursuit) -> None:
         'stands. The names of the frames belong to the object (self).',
         'place',
     )
+
+
+def _count_for_a_while(there: Pursuit) -> int:
+    """How many commands come in 0.4 s, in which the places are told again and again."""
+    before = len(there.commands)
+    for _ in range(4):
+        there.tell()
+        there.learner.run(0.1)
+    return len(there.commands) - before
 
 
 def _moving(commands: list[Twist]) -> str:

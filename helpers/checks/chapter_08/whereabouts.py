@@ -79,6 +79,16 @@ def judge_given(learner) -> None:
                 'as it is.',
                 'given',
             )
+        name = ''.join(draw.choices('abcdefgh', k=6))
+        expect(node.call('place', name) is None, f'Nobody has set {name}, and place({name!r}) is not None.', 'given')
+        args = ['--ros-args', '-r', f'__ns:=/{name}']
+        other = learner.start('Courier', beside=node, cli_args=args)
+        expect(
+            other.name == f'/{name}/delivery_robot',
+            f'Courier(cli_args={args}) is called {other.name}, expected /{name}/delivery_robot, as a StationKeeper '
+            'is: its constructor hands **options on.',
+            'given',
+        )
         for told in (False, True):
             if told:
                 Localizer(learner).tell(1.0, 2.0, 0.5)
@@ -99,16 +109,6 @@ def judge_given(learner) -> None:
                 'where() says where the robot is, and changes nothing.',
                 'given',
             )
-        name = ''.join(draw.choices('abcdefgh', k=6))
-        expect(node.call('place', name) is None, f'Nobody has set {name}, and place({name!r}) is not None.', 'given')
-        args = ['--ros-args', '-r', f'__ns:=/{name}']
-        other = learner.start('Courier', beside=node, cli_args=args)
-        expect(
-            other.name == f'/{name}/delivery_robot',
-            f'Courier(cli_args={args}) is called {other.name}, expected /{name}/delivery_robot, as a StationKeeper '
-            'is: its constructor hands **options on.',
-            'given',
-        )
 
 
 def _speeds(twist: Twist) -> list[float]:
@@ -232,11 +232,11 @@ def judge_two(lost: Lost) -> None:
             told = lost.somewhere()
             lost.localizer.tell(*told)
             learner.run(0.1)
-            found = other.call('where')
+            first, found = lost.where('place'), other.call('where')
             expect(
-                same(found, told),
+                first is None or same(found, first),  # what is wrong with both, other tests say
                 f'There is a Courier in the program already. {what} where() of the second one says '
-                f'{found and shown(found)}, expected {shown(told)}. {own}',
+                f'{found and shown(found)}, and that of the first one {first and shown(first)}. {own}',
                 'place',
             )
 
@@ -293,7 +293,7 @@ def _judge_moment(lost: Lost) -> None:
     lost.learner.settle()
     found = lost.where('newest')
     expect(
-        same(found, now),
+        same(found and found[:2], now[:2]),
         f'where() was asked, new transforms came, and it was asked again: the robot is at {shown(now[:2])}, and '
         f'where() says {found and shown(found[:2])}. '
         + ('That is the answer of before. ' if before and found == before else '')
