@@ -96,7 +96,7 @@ MUTANTS = [
             ''')), expect='All answers came 3.4 s after'),
     Mutant('no_cancel', breaks='once', also=('late', 'refusal', 'newest', 'tries', 'answer', 'no-server'),
            old='self.timer.cancel()', new='', expect='stop the timer when the answer has come'),
-    Mutant('one_more_try', breaks='tries', also=('late', 'newest', 'once'), old='if self.left < 0:',
+    Mutant('one_more_try', breaks='tries', also=('late', 'newest', 'once', 'no-server'), old='if self.left < 0:',
            new='if self.left < -1:', expect='the first one included'),
     Mutant('other_name', breaks='names', old="super().__init__('gripper_client')", new="super().__init__('gripper')",
            expect='your node is called'),
