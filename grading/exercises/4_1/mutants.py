@@ -153,7 +153,7 @@ MUTANTS = [
                 return
             self.last = msg.data
         ''', expect='the next one made no request'),
-    Mutant('second_is_constant', breaks='timeout', also='tries', old='self.create_timer(timeout, self.on_timeout,',
+    Mutant('second_is_constant', breaks='timeout', also=('tries', 'refusal'), old='self.create_timer(timeout, self.on_timeout,',
            new='self.create_timer(1.0, self.on_timeout,', expect='expected at'),
     Mutant('success_is_text', breaks='answer', also=('late', 'newest', 'refusal'), old="'ok' if future.result().success else",
            new="'ok' if future.result() else", expect="expected ['refused']"),

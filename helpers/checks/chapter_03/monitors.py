@@ -177,6 +177,7 @@ class Watched:
 
     def send(self, stamp: float) -> None:
         """One scan; what comes on scan_gap at once is judged."""
+        self._judge_silence()
         self.lidar.send(scan(stamp))
         with about('gap'):
             self.learner.settle()
@@ -200,6 +201,11 @@ class Watched:
             expect(not late, f'{said} The gap is told only later: publish it when the scan comes.', 'at-once')
             expect(False, said, 'gap')
         expect(not late, f'{late} came on scan_gap without a scan: silence alone makes no gap.', 'gap')
+
+    def _judge_silence(self) -> None:
+        """Before a scan: nothing has come on scan_gap that is not judged, but for a gap that is told late."""
+        if not self.missing:
+            self.end()
 
     def _judge(self, stamp: float, got: list[float]) -> None:
         if self.newest is None:

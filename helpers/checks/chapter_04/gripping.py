@@ -291,7 +291,8 @@ def check_own_state(learner) -> None:
     check_own('GripperClient', story, *_counts(first, second), 'set_gripper', 'client', 'request')
     both = f'{first.called} is in one program with {second.called}, made after it. '
     _judge_silent(first, second, alone, f'{both}{story}. The first one sent requests')
-    counts = len(first.states), len(second.states)
+    # Where the second one has said what both should say, the first one may be silent for another reason.
+    counts = len(first.states), max(0, len(second.states) - 1)
     check_own('GripperClient', story, *counts, 'gripper_state', 'publisher', 'answer')
     said = first.states.data
     expect(
