@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_05.printing import (
+    NEVER,
     PAGE,
     Job,
     Printer,
@@ -116,6 +117,14 @@ def test_cancel(learner):
         printer.judge()
     check_at_the_end(printer, draw)
     check_first_page(Printer(learner, 1, '/new'), draw)
+    # One that waits behind many others.
+    many = draw.randint(7, 9)
+    printer, leaves = Printer(learner, many, '/long'), draw.randint(5, many - 1)
+    printer.tell(
+        Job('head', 0.0, 2),
+        *(Job(f'W{number}', number / 50, 1, cancel_at=0.7 if number == leaves else NEVER) for number in range(1, many)),
+    )
+    printer.judge()
 
 
 @pytest.mark.rules('lock')

@@ -331,6 +331,14 @@ def _judge_silent(first: _Side, second: _Side, alone, words: str) -> None:
         f'{words}, expected at {alone[0]} s, as when it is alone. {_OWN}',
         'timeout' if len(seen) == len(alone[0]) else 'tries',
     )
+    # A number of tries in the class may be right for the first one by chance.
+    sent = len(second.asked)
+    expect(
+        len(seen) != first.tries or sent in (second.tries, len(seen)),
+        f'{second.called} is in one program with {first.called}, which was made before it. Each heard a command, and '
+        f'its server is silent. The second one sent {sent} requests, expected {second.tries}. {_OWN}',
+        'tries',
+    )
     expect(
         data == alone[1],
         f'{words}, with the data {data}, expected {alone[1]}: the other one had the command {not alone[1][0]}. {_OWN}',
