@@ -245,7 +245,7 @@ class GripperClient(Node):
     Mutant('late_refusals_count', breaks='late', old='if future is self.future:',
            new='if future is self.future or self.future and not future.result().success:', also='newest',
            expect='Until the next command gripper_state said'),
-    Mutant('fails_once', breaks='tries', also='late', old="return self.report('failed')", new="""
+    Mutant('fails_once', breaks='tries', also=('late', 'newest'), old="return self.report('failed')", new="""
             self.failed, known = True, getattr(self, 'failed', False)
             return self.timer.cancel() if known else self.report('failed')
             """, expect='gripper_state said'),
