@@ -608,7 +608,8 @@ def test_a_package_without_its_notebook(tmp_path):
     [
         ([('my_ws/src/patrol/../../../evil', 'x')], 'Use letters, digits'),
         ([('my_ws/src/patrol//etc/passwd', 'x')], 'Use letters, digits'),
-        ([('my_ws/src/patrol/a\\b', 'x')], 'Use letters, digits'),
+        ([('my_ws/src/patrol/a:b', 'x')], 'Use letters, digits'),
+        ([('my_ws\\src\\patrol\\..\\..\\..\\evil', 'x')], 'Use letters, digits'),
         ([('my_ws/src/patrol/a', 'x'), ('my_ws/src/patrol/a', 'y')], 'two files called my_ws/src/patrol/a'),
         ([('my_ws/src/patrol/a', 'x'), ('b/my_ws/src/patrol/a', 'y')], 'two files called my_ws/src/patrol/a'),
         ([('my_ws/src/patrol/a', 'x'), ('my_ws/src/patrol/a/b', 'y')], 'the name of the folder of a/b'),
