@@ -228,7 +228,7 @@ def judge_one_look(learner) -> None:
     """
     draw = learner.random
     radius, period = round(draw.uniform(0.2, 0.45), 3), round(draw.uniform(0.45, 0.9), 2)
-    heard = learner.tf_listener()
+    heard, begin = learner.tf_listener(), learner.now
     with about('stamp'):
         node = learner.start('Moon', radius, period, switches=True)
         learner.run(STEP + PAUSE)
@@ -243,6 +243,12 @@ def judge_one_look(learner) -> None:
                 _judge_together(f'Moon({radius}, {period})', radius, period, transform, stood)
             if not stood:  # the callback has fewer places
                 break
+    expect(
+        heard.transforms,
+        f'No transform came on /tf within {(learner.now - begin) / SECOND:g} s. A timer sends it, and its period is in '
+        'seconds.',
+        'rate',
+    )
 
 
 def _judge_together(called: str, radius: float, period: float, transform, stood: str) -> None:

@@ -234,6 +234,11 @@ def judge_two(lost: Lost) -> None:
             learner.run(0.1)
             first, found = lost.where('place'), other.call('where')
             expect(
+                first is not None or found is not None,
+                f'The robot is at {shown(told)}, tf2 was told so 0.1 s ago, and where() is None.',
+                'place',
+            )
+            expect(
                 first is None or same(found, first),  # what is wrong with both, other tests say
                 f'There is a Courier in the program already. {what} where() of the second one says '
                 f'{found and shown(found)}, and that of the first one {first and shown(first)}. {own}',
