@@ -1,11 +1,14 @@
 """Grading: a submission of two pure functions and a talker, in the sandbox, from start to gradebook.
 
-`start` is once per run of grade, the parts are per submission. Every mark is verified.
+`start` is once per run of grade, the parts are per submission. Every mark is verified. Besides, the solutions of the
+whole course as one learner's submission, alone on the machine: from start to gradebook, and the processor time in it.
 
 The other graders get the same answers with a test for each. The course then grades as they do, one submission at a
 time, in a program that is started for it; see `grading.bench.peers` for what else differs.
 """
 
+import ast
+import resource
 import subprocess
 import sys
 import tempfile
@@ -16,7 +19,9 @@ from pathlib import Path
 
 import psutil
 
-from grading import grade, sandbox
+from grading import grade, reference, sandbox, variants
+from grading.authoring import chapter as chapters
+from grading.authoring import notebooks as authored
 from grading.bench import Figure, timed_sheet
 from grading.course import Course
 from grading.sandbox import station
@@ -56,6 +61,7 @@ def measure() -> Iterator[Figure]:
             yield Figure(f'{many}: per exercise', seconds / count / len(timed_sheet.NAMES), 's')
             yield Figure(f'{many}: peak memory', memory / 2**20, 'MiB')
         yield from _parts(course)
+        yield from _whole(Path(folder, 'whole'))
     from grading.bench.peers import timing
 
     for peer in timing.PEERS:
@@ -126,6 +132,37 @@ def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[fl
         seconds = time.perf_counter() - begin
     _verify(record.score == record.points for record in records)
     return seconds, peak.bytes
+
+
+def _whole(output: Path) -> Iterator[Figure]:
+    """The solutions of all chapters, graded alone with cold servers."""
+    course = Course.here()
+    files = {
+        exercise.notebook: authored.dumps(authored.solved(chapters.read(path))).encode()
+        for path in chapters.sources(reference.SOLUTIONS)
+        for exercise in course.exercises
+        if exercise.notebook == f'{path.stem}.ipynb'
+    }
+    cells = variants.solved_cells(reference.SOLUTIONS)
+    for exercise in course.exercises:
+        if exercise.folder:
+            [assigned] = [line for line in ast.parse(cells[exercise.id]).body if isinstance(line, ast.Assign)][:1]
+            package = ast.literal_eval(assigned.value)
+            files |= {f'{exercise.folder}/{name}': text.encode() for name, text in package.items()}
+    station.close()
+    before, begin = _processor(), time.perf_counter()
+    records = grade.grade([Submission('learner', output, files)], course, output, JOBS)
+    seconds = time.perf_counter() - begin
+    station.close()
+    _verify(record.score == record.points for record in records)
+    yield Figure(f'all {len(course.exercises)} exercises, 1 submission, {JOBS} at a time', seconds, 's')
+    yield Figure('  processor time in it', _processor() - before, 's')
+
+
+def _processor() -> float:
+    """Seconds of processor time of this process and of its children that have ended."""
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(one.ru_utime + one.ru_stime for one in used)
 
 
 def _parts(course: Course) -> Iterator[Figure]:
