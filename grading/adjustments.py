@@ -86,7 +86,16 @@ def check(adjustments: Iterable[Adjustment], learners: Iterable[str]) -> None:
 def _csv(text: str) -> list[dict]:
     header = text.partition('\n')[0]
     delimiter = max(',;\t', key=header.count)
-    return list(csv.DictReader(io.StringIO(text, newline=''), delimiter=delimiter, strict=True))
+    table = csv.DictReader(io.StringIO(text, newline=''), delimiter=delimiter, strict=True)
+    names = [name.strip() for name in table.fieldnames or ()]
+    table.fieldnames = names
+    doubled = next((name for name in names if names.count(name) > 1 and name), '')
+    if doubled:
+        raise csv.Error(f'there are two columns {doubled}')
+    if names and not {'learner', 'exercise', 'reason'} <= set(names):
+        raise csv.Error(f'its first line must be the names of the columns: {",".join(FIELDS)}')
+    rows = ({name: text.strip() if isinstance(text, str) else text for name, text in row.items()} for row in table)
+    return [row for row in rows if any(row.values())]  # spreadsheets leave empty rows at the end
 
 
 def _read(where: str, row: dict, points: dict[str, float]) -> Adjustment:
@@ -99,6 +108,8 @@ def _read(where: str, row: dict, points: dict[str, float]) -> Adjustment:
             raise AdjustmentError(f'{where}: {key} is missing')
     if not isinstance(row['exercise'], str):  # YAML takes 3.10 for the number 3.1
         raise AdjustmentError(f"{where}: write the exercise in quotes, '{row['exercise']}'")
+    if isinstance(row['learner'], bool) or not isinstance(row['learner'], (str, int)):  # 1.50 is read as 1.5
+        raise AdjustmentError(f"{where}: write the learner in quotes, '{row['learner']}'")
     exercise = row['exercise'].strip()
     if exercise not in points:
         raise AdjustmentError(f'{where}: there is no exercise {exercise!r}')
@@ -115,7 +126,7 @@ def _number(where: str, row: dict, name: str) -> float | None:
         return None
     try:
         value = math.nan if isinstance(row[name], bool) else float(row[name])  # YAML takes yes for True
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         value = math.nan
     if not math.isfinite(value):
         raise AdjustmentError(f'{where}: {name} must be a number, not {row[name]!r}')

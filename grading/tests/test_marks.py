@@ -84,12 +84,52 @@ def test_times_are_told_in_utc(tmp_path):
         ('due: 0001-01-01T00:00:00+14:00', 'due must be a time of the years 1970 to 9999'),
         ('due: 9999-12-31T23:59:59-12:00', 'due must be a time of the years 1970 to 9999'),
         (f'{DUE}handed_in: {{ada: 0001-01-01T00:00:00Z}}', 'handed_in of ada must be a time of the years'),
+        (f'{DUE}{DUE}', "found 'due' a second time"),
+        (f'{DUE}extensions: {{ada: 2026-11-21T00:00:00Z, ada: 2026-11-22T00:00:00Z}}', "found 'ada' a second time"),
+        (f'{DUE}extensions: {{[ada]: 2026-11-21T00:00:00Z}}', 'a key that is no text'),
+        (f'{DUE}per_day: 010', 'per_day must be a number'),
+        (f'{DUE}per_day: 1:10', 'per_day must be a number'),
     ],
 )
 def test_a_policy_that_cannot_be_used(tmp_path, text, problem):
     with pytest.raises(PolicyError) as error:
         late.load(written(tmp_path, text))
     assert problem in str(error.value) and 'file.yaml' in str(error.value)
+
+
+IDS = '0123', '12_34', '1:30', '1e5', '0x1f', '0o17', '1.50', 'no', 'on', 'Y', 'null', 'true', '~', '2026-01-01'
+
+
+@pytest.mark.parametrize('learner', IDS)
+def test_an_id_is_what_is_written(tmp_path, learner):
+    """YAML takes some of these for other numbers, and some for none: then they would be somebody else's."""
+    policy = late.load(written(tmp_path, f'{DUE}extensions: {{{learner}: 2026-11-21T00:00:00Z}}'))
+    assert policy.learners == {learner}
+    try:
+        rows = adjustments.load(
+            written(tmp_path, f"- {{learner: {learner}, exercise: '3.1', points: 1, reason: x}}"), POINTS
+        )
+        assert [row.learner for row in rows] == [learner]
+    except AdjustmentError as error:
+        assert 'in quotes' in str(error) or 'learner is missing' in str(error)
+
+
+@pytest.mark.parametrize(
+    ('text', 'problem'),
+    [
+        ('ada,3.2,1,,x\n', 'its first line must be the names of the columns'),
+        ('learner;exercise,points,delta,reason\nada,3.2,1,,x\n', 'its first line must be'),
+        ('learner,exercise,points,points,reason\nada,3.2,1,2,x\n', 'two columns points'),
+    ],
+)
+def test_columns_that_cannot_be_used(tmp_path, text, problem):
+    with pytest.raises(AdjustmentError, match=problem):
+        adjustments.load(written(tmp_path, text, 'a.csv'), POINTS)
+
+
+def test_empty_rows_and_blanks_of_a_spreadsheet(tmp_path):
+    text = 'learner, exercise, points, delta, reason\nada, 3.2, 1, , x\n,,,,\n , , , , \n'
+    assert adjustments.load(written(tmp_path, text, 'a.csv'), POINTS) == [Adjustment('ada', '3.2', 1.0, None, 'x')]
 
 
 def test_adjustments(tmp_path):
@@ -122,7 +162,10 @@ def test_adjustments(tmp_path):
         ("{exercise: '3.1', delta: 1, reason: x}", 'learner is missing'),
         ("{learner: ada, exercise: '3.1', delta: 1, reason: x, by: me}", "'by' is unknown"),
         ('ada', 'expected a list'),
-        ("{learner: ada, exercise: '3.1', points: yes, reason: x}", 'points must be a number, not True'),
+        ("{learner: ada, exercise: '3.1', points: true, reason: x}", 'points must be a number, not True'),
+        ("{learner: ada, exercise: '3.1', points: yes, reason: x}", "points must be a number, not 'yes'"),
+        ("{learner: true, exercise: '3.1', points: 1, reason: x}", 'write the learner in quotes'),
+        (f"{{learner: ada, exercise: '3.1', points: {'9' * 400}, reason: x}}", 'points must be a number'),
         (f"{{learner: ada, exercise: '3.1', points: {'9' * 5000}, reason: x}}", 'cannot be read'),
         ("{learner: ada, exercise: '3.1', points: 1, reason: 2026-13-45}", 'cannot be read'),
         ('[' * 3000, 'nested too deeply'),
