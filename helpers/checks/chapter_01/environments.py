@@ -383,11 +383,11 @@ def check(learner, asked: list[Case]) -> None:
             f'With {shown}, diagnose gives {got}: {right and right[0]} is no fault, and must not be in the dictionary.',
             'dictionary',
         )
-        names = set(got) - set(_RULES)
+        names = sorted(map(repr, set(got) - set(_RULES)))  # of any types
         expect(
             not names,
-            f'With {shown}, diagnose gives {got}. Its keys are the names of variables, and {min(names, default="")!r} '
-            'is none of the four that can be wrong.',
+            f'With {shown}, diagnose gives {got}. Its keys are the names of variables, and {names and names[0]} is '
+            'none of the four that can be wrong.',
             'dictionary',
         )
         rule, why = _explained(case, got)
