@@ -34,7 +34,8 @@ from helpers.exercises.submit import LEARNER
 from helpers.runner import results, verdicts
 
 MAX_ARCHIVE = 50 * 2**20  # bytes of a zip
-MAX_MEMBERS = 200
+MAX_MEMBERS = 200  # of a zip that are read
+MAX_NAMES = 10_000  # of a zip: who packs a whole folder packs the products of builds, too
 MAX_TOTAL = 60 * 2**20  # bytes of all members that are read
 _COPY = re.compile(
     r'(( ?\(\d+\)| - Copy| copy( \d+)?)+)$'
@@ -256,10 +257,16 @@ def _read_zip(file: Path | io.BytesIO, submission: Submission, outer: bool = Tru
         with zipfile.ZipFile(file) as archive:
             members = archive.infolist()
             submission.handed_in = _newest(members) or submission.handed_in
-            if len(members) > MAX_MEMBERS:
-                raise InvalidSubmission(f'The zip has {len(members)} members, more than {MAX_MEMBERS}.')
+            if len(members) > MAX_NAMES:
+                raise InvalidSubmission(f'The zip has {len(members)} members, more than {MAX_NAMES}.')
             for member in members:
                 member.filename = member.filename.replace('\\', '/')  # as some programs on Windows pack it again
+            work = [member for member in members if _is_work(member)]
+            if len(work) > MAX_MEMBERS:
+                raise InvalidSubmission(
+                    f'The zip has {len(work)} notebooks and files of packages, more than {MAX_MEMBERS}.'
+                )
+            for member in work:
                 _read_member(archive, member, submission)
             inner = [one for one in members if one.filename.lower().endswith('.zip') and not _aside(one.filename)]
             nothing_here = not (submission.files or submission.unusable)
@@ -274,9 +281,6 @@ def _read_zip(file: Path | io.BytesIO, submission: Submission, outer: bool = Tru
 
 
 def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, submission: Submission) -> None:
-    name = member.filename.rpartition('/')[2]
-    if member.is_dir() or _aside(member.filename):
-        return
     if stat.S_ISLNK(member.external_attr >> 16):
         raise InvalidSubmission('The zip has a symbolic link in it: hand in a file made by submit.')
     if member.flag_bits & 1:
@@ -285,8 +289,17 @@ def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, submission: 
         _read_label(_bounded(archive, member, 10_000), submission)
     elif place := packages.place(member.filename):
         _add_file(submission, *place, archive, member)
-    elif is_notebook(name):
+    else:
+        name = member.filename.rpartition('/')[2]
         _add(submission, name, member.file_size, lambda: _bounded(archive, member, notebooks.MAX_BYTES))
+
+
+def _is_work(member: zipfile.ZipInfo) -> bool:
+    """Whether a member of a zip is read. Nothing is asked of the others: they may be links, or of any number."""
+    name = member.filename
+    return not (member.is_dir() or _aside(name)) and (
+        name == 'submission.json' or is_notebook(name.rpartition('/')[2]) or packages.place(name) is not None
+    )
 
 
 def _aside(name: str) -> bool:

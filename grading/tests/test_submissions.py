@@ -121,7 +121,8 @@ def test_a_chapter_beside_a_zip_is_refused_not_lost(tmp_path):
         ([('submission.json', b'{"learner": "../../etc"}'), ('x.ipynb', b'{}')], 'unusable'),
         ([('submission.json', b'{"learner": 5}'), ('x.ipynb', b'{}')], 'unusable'),
         ([('submission.json', b'x' * 20_000), ('x.ipynb', b'{}')], 'larger than'),
-        ([(f'{number}.txt', b'') for number in range(300)], 'has 300 members'),
+        ([(f'{number}.ipynb', b'') for number in range(300)], 'has 300 notebooks and files of packages'),
+        ([(f'{number}.txt', b'') for number in range(20_000)], 'has 20000 members'),
     ],
 )
 def test_unusable_zips(tmp_path, members, problem):
@@ -160,6 +161,24 @@ def test_copies_that_programs_have_made_are_left_out(tmp_path, place):
         zipped(tmp_path / 'x.zip', (f'nb/{small.NOTEBOOK}', small.solved()), (f'nb/{place}', data))
     )
     assert program_of(found)
+
+
+def test_a_folder_that_was_packed_by_hand_has_products_of_builds_in_it(tmp_path):
+    """With --symlink-install, colcon leaves links, and each build leaves its log."""
+    link = zipfile.ZipInfo('nb/my_ws/install/patrol/lib/patrol/route')
+    link.external_attr = (stat.S_IFLNK | 0o777) << 16
+    logs = [(f'nb/my_ws/log/build_{number}/events.log', 'x') for number in range(300)]
+    package = [
+        ('nb/my_ws/src/patrol/setup.py', 'x'),
+        ('nb/my_ws/src/patrol/patrol/__pycache__/route.cpython-311.pyc', b'\xff'),
+        ('nb/my_ws/src/patrol/patrol.egg-info/PKG-INFO', 'Name: patrol'),
+        *((f'nb/my_ws/src/patrol/build/{number}', b'\xff') for number in range(150)),
+    ]
+    found = submissions.read(
+        zipped(tmp_path / 'x.zip', (f'nb/{small.NOTEBOOK}', small.solved()), (link, '/home/ada/x'), *logs, *package)
+    )
+    assert program_of(found)
+    assert sorted(found.files) == [small.NOTEBOOK, 'my_ws/src/patrol/setup.py']
 
 
 def test_a_zip_in_a_zip(tmp_path):

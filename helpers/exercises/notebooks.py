@@ -70,7 +70,7 @@ def parse(data: bytes, name: str) -> list[NotebookCell]:
     """
     if len(data) > MAX_BYTES:
         raise InvalidSubmission(f'{name} is larger than {MAX_BYTES // 2**20} MB: clear its outputs and save it again.')
-    notebook = _current(_json(data, name))
+    notebook = document(data, name)
     if not isinstance(notebook, dict) or not isinstance(notebook.get('cells'), list):
         raise InvalidSubmission(f'{name} is not a notebook: it has no list of cells. Save it with JupyterLab again.')
     if notebook.get('nbformat') != 4:
@@ -119,6 +119,14 @@ def _json(data: bytes, name: str):
     except ValueError as error:
         where = f' (line {error.lineno})' if isinstance(error, json.JSONDecodeError) else ''
         raise InvalidSubmission(f'{name} is not valid JSON{where}: it is damaged or cut off. Save it again.') from None
+
+
+def document(data: bytes, name: str):
+    """The JSON value of a notebook's text, one of format 3 in format 4.
+
+    :raises InvalidSubmission: it is no JSON.
+    """
+    return _current(_json(data, name))
 
 
 def _current(notebook):

@@ -198,22 +198,25 @@ def of_submission(
 
 
 def place(member: str) -> tuple[str, str] | None:
-    """The folder and the path in it of a member of a zip, if it is a file of a package: 'my_ws/src/patrol', 'setup.py'.
+    """The folder and the path in it of a member of a zip, if it is work in a package: 'my_ws/src/patrol', 'setup.py'.
 
     A package's file stands among those that were handed in as 'my_ws/src/patrol/setup.py'.
     """
     match = _IN_ZIP.search(member)
-    return (match[1], match[2]) if match else None
+    parts = match[2].split('/') if match else []
+    if match is None or parts[0] in _PRODUCTS or any(part not in ('.', '..') and _is_made(part) for part in parts):
+        return None  # as `read` leaves it out
+    return match[1], match[2]
 
 
 def _no_work(path: Path) -> bool:
     """Whether tools have made this, or it is hidden."""
-    return (
-        path.name.startswith('.')
-        or bool(_CACHES.fullmatch(path.name))
-        or len(path.parts) == 1
-        and path.name in _PRODUCTS
-    )
+    return _is_made(path.name) or len(path.parts) == 1 and path.name in _PRODUCTS
+
+
+def _is_made(name: str) -> bool:
+    """Whether a file or folder of this name is hidden, or made by tools wherever it is."""
+    return name.startswith('.') or bool(_CACHES.fullmatch(name))
 
 
 def _of_link(path: Path) -> str:

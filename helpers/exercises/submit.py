@@ -191,7 +191,9 @@ def _login() -> str:
 
 
 def _without_outputs(path: Path) -> bytes:
-    notebook = json.loads(path.read_text(encoding='utf-8-sig'))
+    from helpers.exercises import notebooks
+
+    notebook = notebooks.document(notebooks.read_bytes(path), path.name)
     for cell in notebook['cells']:
         if cell.get('cell_type') == 'code':
             cell['outputs'], cell['execution_count'] = [], None

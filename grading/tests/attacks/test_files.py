@@ -105,7 +105,12 @@ ARCHIVES = {
     'bomb-overlapping': (overlapping, 'zip'),
     'bomb-nested': (archive(('inner.zip', archive(('inner.zip', archive((NOTEBOOK, EMPTY)))))), 'no notebook'),
     'lying-size': (lying_size, 'zip'),
-    'entries': (entries, 'more than 200'),
+    'entries': (entries, 'more than 10000'),
+    'entries-of-work': (archive(*((f'{number}.ipynb', b'') for number in range(250))), 'more than 200'),
+    'entries-of-products': (
+        archive(*((f'my_ws/src/p/{"a/" * 20_000}{number}.pyc', b'') for number in range(400))),
+        'no notebook',
+    ),
     'symlink': (archive((member(NOTEBOOK, kind=0o120000), b'/etc/passwd')), 'symbolic link'),
     'device': (archive((member(NOTEBOOK, kind=0o060000), b'')), 'empty'),
     'encrypted': (encrypted(), 'encrypted'),

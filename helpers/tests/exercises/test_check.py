@@ -342,6 +342,19 @@ def test_who_stops_the_tests_of_submit_has_the_file(tmp_path, monkeypatch):
         assert archive.testzip() is None and 'submission.json' in archive.namelist()
 
 
+def test_submit_packs_what_grading_can_read(tmp_path):
+    """A notebook of an old format, and one with a number that Python itself does not read."""
+    old, other, *_ = dict.fromkeys(exercise.notebook for exercise in manifest.load().values())
+    cell = {'cell_type': 'code', 'input': 'x = 1', 'language': 'python', 'metadata': {}, 'outputs': []}
+    head = {'nbformat': 3, 'nbformat_minor': 0, 'metadata': {'name': ''}}
+    (tmp_path / old).write_text(json.dumps({**head, 'worksheets': [{'metadata': {}, 'cells': [cell]}]}))
+    (tmp_path / other).write_text('{"nbformat": 4, "metadata": {"x": %s}, "cells": []}' % ('9' * 5000))
+    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    with zipfile.ZipFile(packed.path) as archive:
+        kept = [json.loads(archive.read(name)) for name in archive.namelist() if name.endswith('.ipynb')]
+    assert [one['nbformat'] for one in kept] == [4, 4] and kept[0]['cells'][0]['source'] == 'x = 1'
+
+
 def test_submit_names_answers_in_copies(tmp_path):
     """JupyterLab's *Duplicate* makes notebooks with other names, which nobody grades."""
     exercise = manifest.load()['3.1']
