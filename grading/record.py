@@ -136,6 +136,8 @@ class Record:
 
     def sound(self) -> bool:
         """Whether what is derived from it, and shown, can be made. May raise what a wrong value raises."""
+        if any((one.points is None) == (one.delta is None) for one in self.adjustments):
+            return False
         return (not self.handed_in or is_stamp(self.handed_in)) and bool(self.status) and (self.score or 0.0) >= 0.0
 
 

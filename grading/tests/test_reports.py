@@ -469,6 +469,8 @@ def test_the_same_record_gives_the_same_report(folder, suffix, make):
         (('handed_in',), '2026-13-45T10:00:00Z'),
         (('late',), {'due': 3, 'handed_in': [], 'days': 1, 'percent': 10.0}),
         (('log',), ['a', 7]),
+        (('adjustments',), [{'learner': 'ada', 'exercise': '3.1', 'points': None, 'delta': None, 'reason': 'x'}]),
+        (('adjustments',), [{'learner': 'ada', 'exercise': '3.1', 'points': 1.0, 'delta': 1.0, 'reason': 'x'}]),
         (('marks',), []),
         (('more',), 1),
     ],
