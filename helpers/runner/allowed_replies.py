@@ -40,8 +40,12 @@ def _rows(value) -> bool:
     return (
         isinstance(value, list)
         and len(value) <= _MAX_ITEMS
-        and all(isinstance(row, dict) and {'cell', 'line', 'code'} <= row.keys() for row in value)
+        and all(isinstance(row, dict) and _is_line(row.get('cell'), row.get('line'), row.get('code')) for row in value)
     )
+
+
+def _is_line(cell, line, code) -> bool:
+    return isinstance(cell, str) and (line is None or _count(line)) and isinstance(code, str)
 
 
 def _anything(value) -> bool:

@@ -75,22 +75,21 @@ class ProgramErrors:
         )
 
     def _exception(self, problem: dict, name: str) -> LearnerError:
-        where: dict[str | None, str] = {
+        places = {
             'load': 'While the cell was run',
             'constructor': f'While `{name}(…)` was made',
             'call': f'While `{name}(…)` ran',
             'execute': 'In an execute callback',
             'callback': _callback(problem),
         }
+        where = places.get(str(problem.get('where')), 'Then')
         lines = lines_of(problem)
         kind, text = str(problem.get('type'))[:100], str(problem.get('text'))[:1000]
         text = re.sub(r' \(<cell \d+>, line \d+\)$', '', text)  # where it is stands in `lines`
         at = _at(lines, self._title, code=False)
         if kind == 'SystemExit':
             return LearnerCrashed(
-                f'{where.get(problem.get("where"), "Then")} your code called exit(){at}. '
-                'A node must not end its process.',
-                _stack(lines),
+                f'{where} your code called exit(){at}. A node must not end its process.', _stack(lines)
             )
         if kind == 'EOFError' and 'reading a line' in text:
             return LearnerCrashed(
@@ -106,7 +105,7 @@ class ProgramErrors:
         code = [line['code'] for line in lines]
         more = explanations.explain(kind, text, early, self._absent, called, notes, self._answer, code, self._cells)
         return LearnerCrashed(
-            f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
+            f'{where} your code raised {error}{at}. {more}'.strip(),
             '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),
         )
 

@@ -19,6 +19,7 @@ import shlex
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 from helpers.exercises import packages
 from helpers.runner import values
@@ -246,18 +247,18 @@ class ExerciseWorkspace:
         task = self._learner.server.task('listing', self.name, keep=LISTING, folder=f'{self.name}/install')
         if task.wait(LISTING_TIMEOUT) != 0:
             return []
-        return [str(name) for name in json.loads(task.output)]
+        return [str(name) for name in _told(task)]
 
     def read(self, name: str) -> str:
         """The text of a file below `install`, as it stands there: nothing of the learner's runs for this."""
         task = self._learner.server.task('reading', self.name, keep=LISTING, folder=f'{self.name}/install/{name}')
-        return json.loads(task.output) if task.wait(LISTING_TIMEOUT) == 0 else ''
+        return _told(task) if task.wait(LISTING_TIMEOUT) == 0 else ''
 
     def _shadows(self) -> str:
         """Why what is installed is refused: it takes the place of the machine's own. Empty if nothing does."""
         task = self._learner.server.task('shadows', self.name, keep=LISTING, folder=self.name, packages=self._packages)
         status = task.wait(LISTING_TIMEOUT)
-        return json.loads(task.output) if status == 0 else 'What your package installs cannot be read.'
+        return _told(task) if status == 0 else 'What your package installs cannot be read.'
 
     def forget(self) -> None:
         """Remove it: it is not needed any more."""
@@ -357,6 +358,19 @@ class Workspaces:
         found = ExerciseWorkspace(self, cache[key], packages)
         self.transcripts.append(found.transcript)
         return found
+
+
+def _told(task: Task) -> Any:
+    """What a task has said of a workspace, as JSON; of more than LISTING bytes only the end is here.
+
+    :raises LearnerError: it is too long, or no JSON.
+    """
+    try:
+        return json.loads(task.output)
+    except (ValueError, RecursionError):
+        raise LearnerError(
+            'What your package installs cannot be listed: the names of the files are too long together.'
+        ) from None
 
 
 def _constant(answer: str, name: str) -> str | None:

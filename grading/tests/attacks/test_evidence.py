@@ -48,6 +48,8 @@ def test_no_evidence_can_be_made(attack):
     assert {rule.name for rule in result.rules if rule.state == KEPT} <= honest, story
     assert all(honest & set(test.rules) for test in result.tests if test.passed), story  # no point for anything else
     assert honest or result.score == 0, story
+    told = attack.header.get('expect message', '')
+    assert any(told in test.message for test in result.tests), story
 
 
 # Tests of exercise 8.4 that call no function: they count how often they have run, by a counter of the network's, and

@@ -400,3 +400,45 @@ for channel in range(3, 256):
 
 def total(numbers):
     return 0
+
+
+# %% lists_for_words
+# attack: reports exceptions whose words are lists
+# row: 30
+# aims at: 90.1
+# stopped by: what a program says of itself leaves no mark open
+# expect verdict: learner_crashed
+# expect message: Then your code called exit
+from helpers.runner import worker
+
+
+def fault(self, *args, **kwargs):
+    words = dict.fromkeys(('where', 'text', 'name', 'node', 'callback', 'early', 'notes', 'lines', 'call', 'got'), [{}])
+    raise worker.RequestError('exception', type='SystemExit', **words)
+
+
+worker.Worker.do_call = fault
+
+
+def total(numbers):
+    return 0
+
+
+# %% numbers_for_lines
+# attack: says that its callbacks wait at lines that are numbers
+# row: 30
+# aims at: 90.3
+# stopped by: an answer with anything missing, or of another kind, is the program's own fault
+# expect verdict: learner_crashed
+# expect message: disturbed its connection
+from helpers.runner import worker
+
+step = worker.Worker.do_step
+worker.Worker.do_step = lambda self, **given: {
+    **step(self, **given), 'waiting': [{'cell': 1, 'line': {}, 'code': 5}]
+}
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')

@@ -598,3 +598,21 @@ GREETER_SETUP = 'raise SystemExit(1)\n"a=' + ' ' * 60_000
 # aims at: 2.1
 # stopped by: patterns take time in proportion to the text
 GREETER_SETUP = "raise SystemExit(1)\nx=x.y:z'" + '\n' * 60_000 + 'z'
+
+
+# %% greeter_long_list
+# attack: installs so many files with long names that their list cannot be told
+# aims at: 2.1
+# stopped by: what a package installs beyond all bounds is the package's fault
+# expect message: the names of the files are too long together
+GREETER_SETUP = r'''
+import os
+from setuptools import find_packages, setup
+
+place = '../../install/greeter/share/greeter/' + '/'.join(['x' * 200] * 5)
+os.makedirs(place, exist_ok=True)
+for number in range(1900):
+    open(f'{place}/{number:0200}', 'w').close()
+setup(name='greeter', version='0.1.0', packages=find_packages(exclude=['test']), data_files=[
+    ('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])])
+'''
