@@ -23,8 +23,8 @@ full, and needs a compiler; what is needed here is shorter than the code around 
 """
 
 import ast
-import json
 import re
+import time
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
@@ -34,7 +34,7 @@ from itertools import combinations
 
 from grading import idle_code, reader
 from helpers import paths
-from helpers.exercises import cell_python, definitions, packages, program
+from helpers.exercises import cell_python, definitions, notebooks, packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import NotebookCell
 
@@ -46,7 +46,10 @@ USUAL = 0.2  # the share of all learners from which on a hash belongs to the exe
 _COMMENT = re.compile(r'<!--(?:(?!-->).){0,10000}-->|(?:^|(?<=\s))#[^\n]*', re.DOTALL)
 _WORDS = re.compile(r'[A-Za-z_][\w.-]*|\d[\w.]*|[^\s\w]')
 _GIVEN = {'setup.py', 'test/test_copyright.py', 'test/test_flake8.py', 'test/test_pep257.py'}  # in a package
+_RUN = {'exec', 'eval', 'compile'}
 USUAL_LEAST = 5  # but at least so many learners
+MOST_TOO_MUCH = 2  # so many exercises of a learner may take too much time or memory, before the others are left
+PATIENCE = 90.0  # seconds for all of a learner's, if together they take too much
 
 
 @dataclass(frozen=True)
@@ -60,16 +63,17 @@ class Pair:
     hashes: int  # how many these are
 
 
-def find(prints: Mapping[str, Mapping[str, Iterable[int]]], stubs: Mapping[str, Iterable[int]]) -> list[Pair]:
+def find(prints: Mapping[str, Mapping[str, Iterable[int] | None]], stubs: Mapping[str, Iterable[int]]) -> list[Pair]:
     """The pairs of learners with answers that are alike, the most alike first.
 
-    :param prints: by learner, then by the exercise's id: the fingerprints of the cell.
+    :param prints: by learner, then by the exercise's id: the fingerprints of the cell; None if nobody knows them.
     :param stubs: by the exercise's id: those of the cell as it was given.
     """
     found = []
     for exercise in sorted({exercise for cells in prints.values() for exercise in cells}):
         given = set(stubs.get(exercise, ()))
-        own = {learner: set(cells[exercise]) - given for learner, cells in sorted(prints.items()) if exercise in cells}
+        marks = {learner: cells.get(exercise) for learner, cells in sorted(prints.items())}
+        own = {learner: set(theirs) - given for learner, theirs in marks.items() if theirs is not None}
         found += _pairs(exercise, own)
     return sorted(found, key=lambda pair: (-pair.share, -pair.hashes, pair.exercise, pair.first, pair.second))
 
@@ -149,8 +153,10 @@ class _Tokens:
             case ast.alias(name=name):
                 self.tokens += ['alias', name]
                 return
-            case ast.Call(func=ast.Name(id='exec' | 'eval' | 'compile'), args=[ast.Constant(value=str(text)), *_]):
-                self._text(text)
+            case ast.Call(func=ast.Name(id=name), args=[ast.Constant(value=str(text)), *_]) if name in _RUN:
+                self._text(text)  # once: texts in texts would be looked into twice as often each time
+                self.tokens += ['Call', name]
+                return
             case ast.Constant(value=str(text)) if '\n' in text.strip():
                 self._text(text)
                 return
@@ -294,12 +300,42 @@ def prints_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]):
     return {exercise: sorted(fingerprints(text)) for exercise, text in cells_of(files, exercises).items()}, ()
 
 
-def of_submission(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[str, list[int]]:
-    """The same, without the risk of reading it here; nothing of a submission that cannot be read in time."""
+def of_submission(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[str, list[int] | None]:
+    """The same, without the risk of reading it here; None for what cannot be read in time.
+
+    What takes too much costs only its own exercise, unless there are many of these.
+    """
+    exercises, given_up, begin = list(exercises), 0, time.monotonic()
+    found: dict[str, list[int] | None] = {}
     try:
-        return reader.ask('grading.similarity:prints_of', dict(files), list(exercises))[0]
+        return reader.ask('grading.similarity:prints_of', dict(files), exercises)[0]
     except reader.TooMuch:
-        return {}
+        pass
+    for exercise in exercises:
+        try:
+            if given_up < MOST_TOO_MUCH and time.monotonic() < begin + PATIENCE:
+                found |= reader.ask('grading.similarity:prints_of', dict(files), [exercise])[0]
+                continue
+        except reader.TooMuch:
+            given_up += 1
+        found[exercise.id] = None
+    return found
+
+
+def not_compared(prints: Mapping[str, Mapping[str, Iterable[int] | None]]) -> list[dict[str, str]]:
+    """By learner, a note on answers that take too much time to be compared: nobody writes such ones by chance."""
+    unknown = {
+        learner: [exercise for exercise, marks in cells.items() if marks is None]
+        for learner, cells in sorted(prints.items())
+    }
+    return [
+        {
+            'learner': learner,
+            'text': f'{", ".join(some)}: it takes too much time or memory to compare the answers with those of others',
+        }
+        for learner, some in unknown.items()
+        if some
+    ]
 
 
 def stubs_of(exercises: Iterable[Exercise]) -> dict[str, set[int]]:
@@ -313,15 +349,12 @@ def stubs_of(exercises: Iterable[Exercise]) -> dict[str, set[int]]:
     return {exercise: fingerprints(text) for exercise, text in cells_of(files, exercises).items()}
 
 
-def _code(data: bytes) -> Iterable[NotebookCell]:
+def _code(data: bytes) -> list[NotebookCell]:
+    """The cells of a notebook, as grading reads them."""
     try:
-        for number, cell in enumerate(json.loads(data)['cells'], 1):
-            if cell['cell_type'] == 'code':
-                source, identity = cell['source'], cell.get('id')
-                text = source if isinstance(source, str) else ''.join(source)
-                yield NotebookCell(text, number, identity if isinstance(identity, str) else None)
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        return
+        return notebooks.parse(data, 'the notebook')
+    except notebooks.InvalidSubmission:
+        return []
 
 
 def as_rows(pairs: Iterable[Pair]) -> list[dict]:

@@ -16,7 +16,7 @@ def write_all(
     records: Iterable[Record],
     exercises: Iterable[Exercise],
     output: Path,
-    prints: Mapping[str, Mapping[str, Iterable[int]]] | None = None,
+    prints: Mapping[str, Mapping[str, Iterable[int] | None]] | None = None,
 ) -> None:
     """Write the files into `output`.
 
@@ -30,5 +30,6 @@ def write_all(
     whole_file.update(output / 'gradebook.csv', gradebook.dumps(records, exercises))
     alike = similarity.find(prints or {}, similarity.stubs_of(exercises))
     seen = summary.data(records, exercises, alike)
+    seen['notes'] += similarity.not_compared(prints or {})
     whole_file.update(output / 'summary.json', summary.dumps(seen))
     whole_file.update(output / 'summary.html', summary.html(seen))

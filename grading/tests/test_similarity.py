@@ -3,11 +3,12 @@
 import functools
 import json
 import re
+import time
 from itertools import combinations
 
 import pytest
 
-from grading import similarity, variants
+from grading import reader, similarity, variants
 from helpers import paths
 from helpers.exercises import manifest
 from helpers.tests import small
@@ -268,6 +269,63 @@ def test_texts_within_texts_do_not_hide_an_answer():
         text = f'x = {text!r}{" + 1" * 250}\ny'
     answer = answers()['3.6']['solution']
     assert pairs(answer, f'{disguise(answer)}\n{text}')
+
+
+def test_texts_within_texts_take_no_time():
+    """Each is looked into once. A copy that takes too long to be compared would be no copy."""
+    text = 'x = 1\ny = 2\n'
+    for _ in range(16):
+        text = f'exec({text!r})\nz = 1\n'
+    begin = time.process_time()
+    similarity.fingerprints(text)
+    assert time.process_time() - begin < 3
+
+
+def test_what_takes_too_much_costs_its_own_exercise_and_is_told(monkeypatch):
+    exercises = [small.exercise(number) for number in range(1, 6)]
+    asked = []
+
+    def ask(task, files, some):
+        asked.append([one.id for one in some])
+        if len(some) > 1 or some[0].id in hard:
+            raise reader.TooMuch('x')
+        return {some[0].id: [1, 2]}, []
+
+    monkeypatch.setattr(reader, 'ask', ask)
+    hard = {'90.2'}
+    found = similarity.of_submission({}, exercises)
+    assert found == {'90.2': None, **{one: [1, 2] for one in ('90.1', '90.3', '90.4', '90.5')}}
+    (note,) = similarity.not_compared({'ada': found, 'bob': {'90.1': []}})
+    assert note['learner'] == 'ada' and note['text'].startswith('90.2: it takes too much')
+    assert similarity.find({'ada': found, 'bob': found}, {}) == []
+    hard = {one.id for one in exercises}
+    asked.clear()
+    assert set(similarity.of_submission({}, exercises).values()) == {None}
+    assert len(asked) == 1 + similarity.MOST_TOO_MUCH
+
+
+FORMS = {
+    'long-number': lambda book: json.dumps({**book, 'x': 7}).replace('"x": 7', f'"x": {"9" * 5000}'),
+    'nan': lambda book: json.dumps({**book, 'x': float('nan')}),
+    'bom': lambda book: '\ufeff' + json.dumps(book),
+    'format-3': lambda book: json.dumps({
+        'nbformat': 3, 'nbformat_minor': 0, 'metadata': {'name': ''},
+        'worksheets': [{'metadata': {}, 'cells': [
+            {'cell_type': 'code', 'language': 'python', 'metadata': {}, 'outputs': [], 'input': cell['source']}
+            for cell in book['cells']
+        ]}],
+    }),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize('form', FORMS)
+def test_what_can_be_graded_is_compared(form):
+    """However the notebook is written."""
+    exercise = [one for one in EXERCISES if one.id == '3.6']
+    files = as_notebook(answers()['3.6']['solution'])
+    ((name, data),) = files.items()
+    other = {name: FORMS[form](json.loads(data)).encode()}
+    assert similarity.cells_of(other, exercise) == similarity.cells_of(files, exercise) != {}
 
 
 def test_a_cell_without_its_heading_is_the_exercises(tmp_path):
