@@ -180,8 +180,8 @@ def judge_periods(learner) -> None:
     draw = learner.random
     for number, (low, high) in enumerate(((0.101, 0.114), (7.0, 9.9)), draw.randint(2, 50)):
         period = round(draw.uniform(low, high), 3) + 0.0004  # no whole number of milliseconds
-        with about('status-period'):
-            keeper = Keeper(learner, f'/robot{number}', status_period=period)
+        with about('status-period'):  # in a namespace that no robot has that was started before
+            keeper = Keeper(learner, f'/cart{number}', status_period=period)
         begin = learner.now / SECOND
         learner.run(2.05 * period)
         at = [round(stamp - begin, 5) for stamp in keeper.heard.stamps]
