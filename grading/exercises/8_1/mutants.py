@@ -142,4 +142,58 @@ MUTANTS = [
     Mutant('kinds_by_another_name', old="'create_publisher': ('topic', 1, 'topic')",
            new="'create_publisher': ('publisher', 1, 'topic')", expect='Expected: the topic', breaks='topic',
            also=('keyword', 'once')),
+    Mutant('constant_f_strings', breaks='no-text', expect='It is no text that names', imports="""
+def value(node):
+    if isinstance(node, ast.JoinedStr) and all(isinstance(part, ast.Constant) for part in node.values):
+        return ''.join(part.value for part in node.values)
+    return node.value if isinstance(node, ast.Constant) else None
+"""),
+    Mutant('constants_added', breaks='no-text', expect='It is no text that names', imports="""
+def value(node):
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        left, right = value(node.left), value(node.right)
+        return left + right if left and right else None
+    return node.value if isinstance(node, ast.Constant) else None
+"""),
+    Mutant('one_of_two_texts', breaks='no-text', expect='It is no text that names', imports="""
+def value(node):
+    return value(node.body) if isinstance(node, ast.IfExp) else node.value if isinstance(node, ast.Constant) else None
+"""),
+    Mutant('keyword_of_another_function', breaks='no-text', expect='It is no text that names',
+           old='keywords.get(keyword)',
+           new="next((keywords[k] for k in ('node_name', 'topic', 'srv_name') if k in keywords), None)"),
+    Mutant('class_is_over_after_another_one', breaks='super', expect='a class in a class has bases of its own', imports="""
+class Calls(ast.NodeVisitor):
+    def __init__(self):
+        self.bases, self.found = [], []
+
+    def visit_ClassDef(self, node):
+        self.bases = [last_name(base) for base in node.bases]
+        self.generic_visit(node)
+
+    def visit_Call(self, node):
+        words = {word.arg: value(word.value) for word in node.keywords}
+        self.found.append((last_name(node.func), [value(one) for one in node.args], words, self.bases))
+        self.generic_visit(node)
+
+
+def calls(text):
+    visitor = Calls()
+    visitor.visit(ast.parse(text))
+    return visitor.found
+"""),
+    Mutant('keeps_what_it_has_found', breaks='once',
+           also=('package', 'node', 'super', 'topic', 'service', 'word', 'keyword', 'no-text', 'files', 'sorted'),
+           expect='Begin each call with a new, empty list',
+           edits=(('def find_bad_names(files):', 'def find_bad_names(files, found=set()):'), ('    found = set()', ''))),
+    Mutant('sorted_as_paths', breaks='sorted', expect='The list is not sorted',
+           old="""
+           return sorted([path, kind, name] for path, kind, name in found if not is_good(kind, name))
+           """, new="""
+           from pathlib import PurePosixPath
+           return sorted(([path, kind, name] for path, kind, name in found if not is_good(kind, name)),
+                         key=lambda one: (PurePosixPath(one[0]), *one[1:]))
+           """),
+    Mutant('sorted_without_capitals', breaks='sorted', expect='The list is not sorted',
+           old='if not is_good(kind, name))', new='if not is_good(kind, name)) and sorted(([path, kind, name] for path, kind, name in found if not is_good(kind, name)), key=lambda one: [part.lower() for part in one])'),
 ]

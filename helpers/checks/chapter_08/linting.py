@@ -1,7 +1,11 @@
 """What the tests of exercise 8.1 share: packages as dictionaries, and the comparison of findings."""
 
+from weakref import WeakKeyDictionary
+
 from helpers.runner import about, expect
 from helpers.runner.values import SetAsList
+
+_BEFORE: WeakKeyDictionary = WeakKeyDictionary()  # learner → the texts of the calls before
 
 
 def package_xml(name: str) -> str:
@@ -67,7 +71,20 @@ def bad_names(learner, files: dict[str, str], rule: str = '') -> list[tuple]:
         'find_bad_names returned a set, which has no order: expected a sorted list.',
         'sorted',
     )
+    texts, before = '\n'.join(files.values()), _BEFORE.get(learner, '')
+    old = [one[2] for one in found if not _stands_in(texts, one[2]) and _stands_in(before, one[2])]
+    expect(
+        not old,
+        f'Reported: {old and old[0]!r}, which stands in no file of this call, but did in one of an earlier call. Begin '
+        'each call with a new, empty list.',
+        rule,
+    )
+    _BEFORE[learner] = f'{before}\n{texts}'
     return [tuple(one) for one in found]
+
+
+def _stands_in(text: str, name) -> bool:
+    return isinstance(name, str) and (name in text or repr(name)[1:-1] in text)
 
 
 def compare(found: list[tuple], expected: list[tuple], rule: str, why: str = '', why_not: str = '') -> None:
@@ -201,10 +218,20 @@ class Outer(Node):
     class Helper(Node):
         def __init__(self):
             super().__init__('{bad}L')
+
+    class Lost(Exception):
+        pass
+
+    def __init__(self):
+        class Timer(threading.Thread):
+            def __init__(self):
+                super().__init__('{bad}M')
+
+        super().__init__('{bad}N')
 """,
-        [('node', f'{bad}L')],
+        [('node', f'{bad}L'), ('node', f'{bad}N')],
         'super',
-        'A class in a class has bases of its own.',
+        'It is in super().__init__ of a class with the base Node; a class in a class has bases of its own.',
         'Only super().__init__ names a node, and a class in a class has bases of its own.',
     )
 
@@ -228,6 +255,16 @@ node.create_publisher(String)
 create_node(name)
 create_node(7)
 create_node('{bad}' + suffix)
+create_node('{bad}' + '_{bad}')
+create_node('{bad}' if simulated else name)
+create_node('{bad}'.lower())
+create_node('{bad}%d' % number)
+create_node(b'{bad}')
+create_node(names['{bad}'])
+create_node(*['{bad}'])
+create_node(f'{bad}')
+create_node(f'{{number:{{width}}}}{bad}')
+create_node(f'{{"{bad}"}}')
 NAME = '{bad}'
 node.create_publisher(String, NAME, 10)
 ActionClient(node, Fibonacci, '{bad}')
@@ -238,6 +275,9 @@ node.resolve_topic_name('{bad}')
 Parameter('{bad}', Parameter.Type.STRING, '{bad}')
 node.declare_parameter('topic', '{bad}')
 Node()
+create_node(topic='{bad}', srv_name='{bad}')
+node.create_subscription(String, node_name='{bad}', srv_name='{bad}')
+node.create_client(Empty, node_name='{bad}', topic='{bad}')
 LifecycleNode('{bad}')
 launched = Node(package='x', executable='{bad}', name='{bad}')
 ''',
@@ -331,14 +371,20 @@ def judge_list(learner) -> None:
     """The rules `once` and `sorted`."""
     draw = learner.random
     letters = draw.sample('ABCDEFGHIJKL', draw.randint(9, 12))
-    names = [f'{word(draw).capitalize()}{letter}' for letter in letters] + [f'{word(draw)}-a']  # capitals come first
+    names = [f'{word(draw).capitalize()}{letter}' for letter in letters]
+    names += [f'aa-{draw.randint(2, 9)}', f'{names[0]} a']  # capitals come first, and a name before a longer one
     text = ''.join(f'n.create_publisher(S, "{name}", 1)\ncreate_node("{name}")\n' for name in names * 2)
     good = {f'{word(draw)}{number}.py': f'create_node("{word(draw)}")' for number in range(draw.randint(20, 40))}
-    files = {'z/b.py': text, **good, 'package.xml': package_xml(names[0]), 'a.py': text}
+    files = {'z/b.py': text, 'a/b.py': text, **good, 'package.xml': package_xml(names[0]), 'a.py': text}
     expected = sorted(
         [
             ('package.xml', 'package', names[0]),
-            *((path, kind, name) for path in ('z/b.py', 'a.py') for kind in ('node', 'topic') for name in names),
+            *(
+                (path, kind, name)
+                for path in ('z/b.py', 'a/b.py', 'a.py')
+                for kind in ('node', 'topic')
+                for name in names
+            ),
         ]
     )
     found = bad_names(learner, files, 'sorted')
