@@ -27,9 +27,9 @@ MUTANTS = [
     Mutant('z_is_no_angle', old=RETURN, new='return place.x, place.y, turn.z', expect='from -π to π', breaks='yaw',
            also=('again', 'place')),
     Mutant('half_the_angle', old='2 * math.atan2(turn.z, turn.w)', new='math.atan2(turn.z, turn.w)',
-           expect='from -π to π', breaks='yaw', also='again'),
+           expect='That is half of it', breaks='yaw', also='again'),
     Mutant('degrees', old=RETURN, new=RETURN.replace('math.remainder(', 'math.degrees(').replace(', math.tau)', ')'),
-           expect='in radians', breaks='yaw', also='again'),
+           expect='in degrees: the yaw is in radians', breaks='yaw', also='again'),
     Mutant('from_0_to_2_pi', old=RETURN, new='return place.x, place.y, 2 * math.atan2(turn.z, turn.w) % math.tau',
            expect='from -π to π', breaks='yaw'),
     Mutant('first_answer_for_ever', edits=(('try:', """

@@ -171,7 +171,7 @@ def judge_place(lost: Lost) -> None:
         found = lost.where('place')
         expect(
             found is not None,
-            f'The robot is at {shown(told)}, tf2 was told so 0.1 s ago, and where() is None.',
+            f'The robot is at {shown(told)}, tf2 was told so 0.1 s ago, and where() is None.{_full_second(lost)}',
             'place',
         )
         said = f'The robot is at {shown(told[:2])}, and where() says {shown(found[:2])}.'
@@ -199,10 +199,24 @@ def judge_place(lost: Lost) -> None:
         found = lost.where('yaw')
         expect(
             same(found and found[2:], [yaw]),
-            f'The robot looks to {yaw:.2f} rad, and where() says {found and round(found[2], 2)}. The yaw is in '
-            'radians, from -π to π.',
+            f'The robot looks to {yaw:.2f} rad, and where() says {found and round(found[2], 2)}. '
+            + _of_yaw(yaw, found[2] if found else math.nan),
             'yaw',
         )
+
+
+def _of_yaw(yaw: float, found: float) -> str:
+    """What is wrong with a yaw in rad, as far as the number tells; `found` is what `where` says."""
+    turns = (found - yaw) / math.tau
+    if found == pytest.approx(-yaw, abs=1e-4):
+        return 'To the left is positive: the sign of z and that of w say together to which side, atan2 takes both.'
+    if found == pytest.approx(yaw / 2, abs=1e-4):
+        return 'That is half of it: z and w are sine and cosine of half the angle.'
+    if found == pytest.approx(math.degrees(yaw), abs=1e-2):
+        return 'That is in degrees: the yaw is in radians.'
+    if turns and turns == pytest.approx(round(turns), abs=1e-4):
+        return 'That is the same direction, and the yaw is a number from -π to π: bring it there.'
+    return 'The yaw is the angle of the rotation, in radians, from -π to π.'
 
 
 def judge_two(lost: Lost) -> None:
@@ -246,6 +260,13 @@ def judge_two(lost: Lost) -> None:
             )
 
 
+def _full_second(lost: Lost) -> str:
+    """Why a place that was told 0.1 s ago may be taken for an old one, if that depends on the moment."""
+    if lost.learner.now % SECOND > SECOND // 10:
+        return ''
+    return ' Since then a full second has begun: compare whole times, and not `sec` or `nanosec` alone.'
+
+
 def _judge_zeros(lost: Lost) -> None:
     """The rule `place`, where numbers of it are 0, as at the place where a map begins."""
     lost.localizer.drift(0.0, 0.0, 0.0)
@@ -257,7 +278,7 @@ def _judge_zeros(lost: Lost) -> None:
         expect(
             same(found and found[:2], told[:2]),
             f'x, y and yaw of the robot are {shown(told)}, and where() is {found and shown(found)}.'
-            + (' 0 is a number like any other: `if x` is false for it.' if found is None else ''),
+            + ('' if found else _full_second(lost) or ' 0 is a number like any other: `if x` is false for it.'),
             'place',
         )
 
