@@ -41,7 +41,7 @@ MUTANTS = [
     Mutant('only_max_is_checked', old=PAIR,
            new="good = not any(one.name == 'max_linear' for one in parameters) or new['slow_linear'] <= new['max_linear']",
            expect='Judge the values as they would be', breaks='pair', also='at-start'),
-    Mutant('equal_is_refused', old=PAIR, new=PAIR.replace('<=', '<'), expect='was refused', breaks='pair',
+    Mutant('equal_is_refused', old=PAIR, new=PAIR.replace('<=', '<'), expect='Equal values are good', breaks='pair',
            also=('at-start', 'names')),
     Mutant('any_mode', old="if new['mode'] not in ('normal', 'slow', 'stop'):", new='if False:', expect='was accepted',
            breaks='unknown-mode', also=('at-start', 'refused')),

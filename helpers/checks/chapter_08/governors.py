@@ -421,9 +421,9 @@ def _judge_silent_planner(governed: Governed, rate: float) -> None:
     got = {(one.linear.x, one.angular.z) for one in came}
     expect(
         got == {(0.1, 0.5)},
-        f'The planner said 0.1 m/s and 0.5 rad/s, and then nothing for {LONG} s. In this time (linear.x, angular.z) '
-        f'was {sorted(got)}. A command holds until the next one comes.',
-        'limit' if len(got) == 1 else 'newest',
+        f'The planner said 0.1 m/s and 0.5 rad/s, then rate was set to 1, and for {LONG} s nothing else came. In this '
+        f'time (linear.x, angular.z) was {sorted(got)}. A command holds until the next one comes, whatever is set.',
+        'limit' if len(got) == 1 and got != {(0.0, 0.0)} else 'newest',
     )
     governed.accepts('new-rate', rate=rate)
     governed.send(command(3.0, 0.5))
@@ -492,7 +492,7 @@ def judge_modes(learner, namespace: str) -> None:
         wanted = command(slow, 0.4) if mode == 'slow' else Twist()
         start = {'mode': mode, 'slow_linear': slow, 'max_linear': limit, 'rate': 20.0}
         with about('at-start'):
-            governed = Governed(learner, f'{namespace}_{mode}', **start)
+            governed = _started(learner, f'{namespace}_{mode}', start)
         governed.send(command(3.0, 0.4))
         got = governed.newest(0.05, 'at-start')
         what = f'Started with {shown(start)}: the command 3.0 m/s, 0.4 rad/s'
@@ -509,6 +509,20 @@ def judge_modes(learner, namespace: str) -> None:
             f'In the mode {mode}, linear.x -3 came out as {got.linear.x:g}.',
             'modes',
         )
+
+
+def _started(learner, namespace: str, start: dict) -> Governed:
+    """A governor with these values: all are good together, and one of them may not fit the default of another."""
+    try:
+        return Governed(learner, namespace, **start)
+    except LearnerCrashed as crash:
+        expect(
+            'InvalidParameterValue' not in str(crash),
+            f'The node does not start with {shown(start)}, and these values are good: while one of them is declared, '
+            f'another one may have no value yet, and its default does not count. {crash}',
+            'at-start',
+        )
+        raise
 
 
 def judge_bad_start(learner, *starts: dict) -> None:
@@ -594,11 +608,14 @@ def judge_rules(governed: Governed) -> None:
         pair = bool({'max_linear', 'slow_linear'} & values.keys())
         rule = 'pair' if pair else 'unknown-mode'
         now = {name: parameters.get(name) for name in ('max_linear', 'slow_linear', 'mode')}
+        after = now | values
+        equal = good and pair and after['slow_linear'] == after['max_linear']
         answer = parameters.set(**values)
         expect(
             answer.successful == good,
             f'With {shown(now)}, the request {shown(values)} was {"refused" if good else "accepted"}. '
-            + ('Judge the values as they would be after the request, in each mode.' if pair else '')
+            + ('Judge the values as they would be after the request, in each mode.' if pair and not equal else '')
+            + ('Equal values are good: slow_linear is not above max_linear.' if equal else '')
             + (' In Python, 0.0 counts as false.' if 0.0 in values.values() else ''),
             rule,
         )
