@@ -191,4 +191,11 @@ def generate_launch_description():
     Mutant('by_the_first_folder_of_ros', breaks='installed-file', expect='find it by the name of the package',
            old="config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])",
            new="import os\nconfig = os.environ['AMENT_PREFIX_PATH'].split(':')[0] + '/share/fleet/config/fleet.yaml'"),
+    Mutant('star_in_a_word', old='/robot2/governor:', new='/robot2*/governor:', breaks='types',
+           also=('nodes', 'rate', 'max-linear', 'robot1', 'robot2', 'rest', 'installed-file', 'remapped', 'others-stay'),
+           expect='is no name of a node, because of `robot2*`'),
+    Mutant('private_remapping', old="=[('cmd_vel', 'base/cmd_vel')], *", new="=[('cmd_vel', '~/base/cmd_vel')], *",
+           expect='`~` stands for the name of the node', breaks='remapped'),
+    Mutant('remapped_the_other_way', old="('cmd_vel', 'base/cmd_vel')]", new="('base/cmd_vel', 'cmd_vel')]",
+           expect='what the program says first', breaks='remapped'),
 ]

@@ -195,9 +195,7 @@ def judge_names(learner) -> None:
         (ROBOTS[0], '/robot1/cmd_vel', 'others-stay'),
     ):
         got = there[name]['publishes']
-        expect(
-            got == wanted, f'{name} publishes on {got}, expected {wanted}. Names in remappings are relative, too.', rule
-        )
+        expect(got == wanted, f'{name} publishes on {got}, expected {wanted}. {_of_remapping(got, name)}', rule)
     for name in ROBOTS:
         got, wanted = there[name]['listens'], name.replace('governor', 'cmd_vel_in')
         expect(got == wanted, f'{name} listens to {got}, expected {wanted}.', 'others-stay')
@@ -214,6 +212,18 @@ def judge_names(learner) -> None:
             'cmd_vel of robot2, and nothing else.',
             'others-stay',
         )
+
+
+def _of_remapping(got: str, name: str) -> str:
+    """What may be wrong with the remapping by which the governor `name` publishes on the topic `got`."""
+    plain = name.replace('governor', 'cmd_vel')
+    if got.startswith(f'{name}/'):
+        return '`~` stands for the name of the node: leave it out. A relative name is in the namespace of its robot.'
+    if name == ROBOTS[0] and got == plain.replace('cmd_vel', 'base/cmd_vel'):
+        return 'Only robot2 has a base that listens there.'
+    if name == ROBOTS[1] and got == plain:
+        return "A remapping is a pair, what the program says first: ('cmd_vel', 'base/cmd_vel')."
+    return 'Names in remappings are relative, too.'
 
 
 def judge_others(learner, *namespaces: str) -> None:

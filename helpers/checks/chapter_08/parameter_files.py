@@ -75,6 +75,13 @@ def why_unreadable(text: str) -> str:
             return f'Below `{name}` stands `{below}`, and together they are {name}/{below}: leave out its first slash.'
         if not any(_blocks({name: block}, set())):
             return f'Below `{name}` there is no block `{BLOCK}`, with two underscores, that holds parameters.'
+    for name in _names(content):
+        parts = name.removeprefix('/').split('/')
+        if bad := [part for part in parts if part not in ('*', '**') and not (part.isascii() and part.isidentifier())]:
+            return (
+                f'`{name:.100}` is no name of a node, because of `{bad[0]:.100}`: each part between slashes is a name '
+                'of letters, digits and _ that begins with no digit, or `*` or `**` alone.'
+            )
     return f'Look at the indentation, and at the two underscores of {BLOCK}.'
 
 
@@ -91,6 +98,15 @@ def _glued(content: Any, depth: int = 0) -> Iterator[str]:
         for key, value in content.items():
             if key == BLOCK or not isinstance(value, str):
                 yield from _glued(str(key) if value is None else value, depth + 1)
+
+
+def _names(content: Any, above: str = '', depth: int = 0) -> Iterator[str]:
+    """The names of nodes that have a block, with the namespaces above them."""
+    for key, value in content.items() if isinstance(content, dict) and depth < 10 else ():
+        if key == BLOCK:
+            yield above
+        else:
+            yield from _names(value, f'{above}/{key}' if above else str(key), depth + 1)
 
 
 def _events(text: str) -> list:
