@@ -211,9 +211,7 @@ def test_several_wait(learner):
     there.tell(0.12)
     learner.run(0.2)
     expect(len(there.clouds) == 3, f'Three scans came, then the transform for all; {len(there.clouds)} clouds came.')
-    clouds = sorted(there.clouds.messages, key=lambda cloud: cloud.header.stamp.nanosec)
-    for scan, cloud in zip(scans, clouds, strict=True):
-        there.check(scan, cloud)
+    there.check_all(scans)
 
 
 @pytest.mark.weight(2)
@@ -241,13 +239,7 @@ def test_two_lasers(learner):
     learner.run(0.2)
     count = len(there.clouds)
     expect(count == len(scans), f'Two lasers sent {len(scans)} scans, and {count} clouds came.', 'later')
-
-    def place(message, count):
-        return message.header.stamp.nanosec, count
-
-    clouds = sorted(there.clouds.messages, key=lambda cloud: place(cloud, len(points(cloud))))
-    for scan, cloud in zip(sorted(scans, key=lambda scan: place(scan, len(scan.ranges))), clouds, strict=True):
-        there.check(scan, cloud)
+    there.check_all(scans)
     there.clouds.clear()
     for hundredths in (11, 2):
         scan = there.scan(ranges(learner), hundredths / 100, frame=other)

@@ -173,4 +173,42 @@ MUTANTS = [
         if self.count > 60:
             return
 ''', expect='however many there were before'),
+    Mutant('no_cloud_without_distances', breaks='one-cloud', old='points = []', new="""
+        if not scan.ranges:
+            return
+        points = []
+        """, expect='ranges is empty'),
+    Mutant('nearest_of_none', breaks='one-cloud', old='points = []', new="""
+        self.nearest = min(scan.ranges)
+        points = []
+        """, expect='ValueError'),
+    Mutant('futures_by_frame', breaks='time', also=('hopeless',), edits=(('self.buffer = Buffer()', """
+        self.buffer = Buffer()
+        self.futures = {}
+        """), ("future = self.buffer.wait_for_transform_async('map', scan.header.frame_id, when)", """
+        future = self.futures.get(scan.header.frame_id)
+        if future is None or future.done():
+            future = self.buffer.wait_for_transform_async('map', scan.header.frame_id, when)
+            self.futures[scan.header.frame_id] = future
+        """)), expect='Ask for the transform anew for each scan'),
+    Mutant('first_transform_of_a_frame', breaks='time', also=('hopeless',), edits=(
+           ('self.buffer = Buffer()', """
+        self.buffer = Buffer()
+        self.futures = {}
+        """), ("future = self.buffer.wait_for_transform_async('map', scan.header.frame_id, when)", """
+        if scan.header.frame_id not in self.futures:
+            self.futures[scan.header.frame_id] = self.buffer.wait_for_transform_async('map', scan.header.frame_id, when)
+        future = self.futures[scan.header.frame_id]
+        """)), expect='Ask for the transform anew for each scan'),
+    Mutant('cloud_in_self', breaks='later', old="""
+        future.add_done_callback(lambda future: self.publish(cloud, future.result()))
+        """, new="""
+        self.cloud = cloud
+        future.add_done_callback(lambda future: self.publish(self.cloud, future.result()))
+        """, expect='went out in the place of others'),
+    Mutant('points_in_self', breaks='later', edits=(('points = []', 'self.points = []'),
+           ('points.append((', 'self.points.append(('), ('cloud = create_cloud_xyz32(scan.header, points)', ''),
+           ('lambda future: self.publish(cloud, future.result())',
+            'lambda future: self.publish(create_cloud_xyz32(scan.header, self.points), future.result())')),
+           expect='has the points of another scan'),
 ]

@@ -1,5 +1,6 @@
 """What the tests of exercise 6.4 show the learner's node: a robot that drives and turns, with a laser on it."""
 
+import collections
 import itertools
 import math
 
@@ -9,7 +10,7 @@ from sensor_msgs.msg import LaserScan, PointCloud2
 from sensor_msgs_py.point_cloud2 import read_points_list
 
 from helpers.checks.chapter_06.geometry import apart, explain, same, words
-from helpers.runner import expect
+from helpers.runner import about, expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
 
@@ -31,6 +32,8 @@ class Laser:
         self._tf = learner.tf_broadcaster()
         self._scans = learner.talk('/scan', LaserScan)
         self._last = itertools.cycle([0, -1, None])  # see _angle_max
+        self._sent: list[LaserScan] = []  # all scans so far, to say whose points a wrong cloud has
+        self._told: set[float] = set()  # the times of all transforms so far
         self.clouds = learner.listen('/points', PointCloud2)
         self.node = learner.start('ScanToMap')
         self._tf.fix('base_link', frame, self.mount)
@@ -52,6 +55,7 @@ class Laser:
 
     def tell(self, seconds: float) -> None:
         """The robot says where it is at that time."""
+        self._told.add(seconds)
         x, y, yaw = self._start + seconds * self._speed
         self._tf.send('map', 'base_link', pose(x, y, 0.0, yaw=yaw), self.begin + seconds)
 
@@ -85,6 +89,7 @@ class Laser:
         )
         scan.header.frame_id = frame or self.frame
         scan.header.stamp = Time(nanoseconds=round((self.begin + seconds) * SECOND)).to_msg()
+        self._sent.append(scan)
         return scan
 
     def _angle_max(self, first: float, step: float, count: int) -> float:
@@ -101,9 +106,30 @@ class Laser:
         x, y = ranges * np.cos(angles), ranges * np.sin(angles)
         return np.column_stack([x, y, np.zeros_like(x)])[good]
 
+    def check_all(self, scans: list[LaserScan], others: dict | None = None) -> None:
+        """Fail with the reason unless each of the scans has its cloud among as many as came. `others`: see `check`."""
+
+        def place(message, count: int) -> tuple[int, int]:
+            return _nanoseconds(message), count
+
+        scans = sorted(scans, key=lambda scan: place(scan, len(scan.ranges)))
+        clouds = sorted(self.clouds.messages, key=lambda cloud: place(cloud, len(points(cloud))))
+        stamps = [[_nanoseconds(message) for message in messages] for messages in (scans, clouds)]
+        measured, said = [[f'{number / SECOND:.2f}' for number in numbers] for numbers in stamps]
+        many = [stamp for stamp, count in collections.Counter(stamps[1]).items() if count > stamps[0].count(stamp) > 0]
+        expect(
+            not many,
+            f'Scans of the times {", ".join(measured)} s came together, and their clouds have the stamps '
+            f'{", ".join(said)} s: the cloud of one scan went out in the place of others. Keep what belongs to a scan '
+            'in a variable of its own callback until the transform comes; an attribute of self has only the newest.',
+            'later',
+        )
+        for scan, cloud in zip(scans, clouds, strict=True):
+            self.check(scan, cloud, others)
+
     def check(self, scan: LaserScan, cloud: PointCloud2, others: dict | None = None) -> None:
         """Fail with the reason if the cloud is not this scan's. `others`: wrong times, and their reasons."""
-        exact = [Time.from_msg(message.header.stamp).nanoseconds for message in (scan, cloud)]
+        exact = [_nanoseconds(message) for message in (scan, cloud)]
         stamps = [nanoseconds / SECOND for nanoseconds in exact]
         expect(
             cloud.header.frame_id == 'map',
@@ -122,6 +148,15 @@ class Laser:
     def _check_points(self, scan: LaserScan, found: np.ndarray, seconds: float, others: dict) -> None:
         """Fail with the reason if these are not the points in map of a scan that was measured at this time."""
         frame, hits = scan.header.frame_id, self.hits(scan)
+        mine = same(found, moved(hits, self.where(seconds, frame)), 1e-3)
+        other = None if mine else self._whose(scan, found)
+        expect(
+            other is None,
+            f'The cloud of a scan with {len(hits)} hits, measured in `{frame}`, has the points of another scan, with '
+            f'{0 if other is None else len(self.hits(other))} hits. Keep the points of a scan in a variable of its own '
+            'callback until its transform comes; an attribute of self has only those of the scan that came last.',
+            'later',
+        )
         expect(
             len(found) == len(hits),
             f'A scan with {len(hits)} hits from {scan.range_min:g} to {scan.range_max:g} m '
@@ -157,7 +192,27 @@ class Laser:
                 f'{told} This is the transform of `{other}`, not of the frame in the header of the scan.',
                 'frame',
             )
+        for other in sorted(self._told | {self._seconds(sent) for sent in self._sent}):
+            expect(
+                same(found, wanted, 1e-3) or not same(found, moved(hits, self.where(other, frame)), 1e-3),
+                f'{told} This is the transform of the time {self.begin + other:.2f} s, and the scan is of '
+                f'{self.begin + seconds:.2f} s. Ask for the transform anew for each scan.',
+                'time',
+            )
         self._check_place(scan, found, there, told)
+
+    def _seconds(self, scan: LaserScan) -> float:
+        return _nanoseconds(scan) / SECOND - self.begin
+
+    def _whose(self, scan: LaserScan, found: np.ndarray) -> LaserScan | None:
+        """The scan with other hits whose points these are, where the laser was for this one or for that one."""
+        here = self.where(self._seconds(scan), scan.header.frame_id)
+        for sent in self._sent if len(found) else []:
+            hits = self.hits(sent)
+            places = here, self.where(self._seconds(sent), sent.header.frame_id)
+            if not same(hits, self.hits(scan)) and any(same(found, moved(hits, at), 1e-3) for at in places):
+                return sent
+        return None
 
     def _check_place(self, scan: LaserScan, found: np.ndarray, there: np.ndarray, told: str) -> None:
         """Fail with `told` and the reason if these are not the hits of a scan of a laser whose matrix is `there`."""
@@ -198,11 +253,17 @@ def check_topics(there: Laser) -> None:
 
 def check_no_hits(there: Laser, seconds: float) -> None:
     """Fail unless a scan of this time, whose transforms are there, gives a cloud although it sees nothing."""
-    there.clouds.clear()
-    there.scan([math.inf, math.nan, 0.0], seconds)
-    there.learner.run(0.1)
-    found = [len(points(cloud)) for cloud in there.clouds.messages]
-    expect(found == [0], f'A scan without a hit gave {len(found)} clouds, expected one without points.', 'one-cloud')
+    for distances, what in (([math.inf, math.nan, 0.0], 'a hit'), ([], 'any distance (ranges is empty)')):
+        there.clouds.clear()
+        with about('one-cloud'):
+            there.scan(distances, seconds)
+            there.learner.run(0.1)
+        found = [len(points(cloud)) for cloud in there.clouds.messages]
+        expect(
+            found == [0],
+            f'A scan without {what} gave {len(found)} clouds, expected one without points, for each scan.',
+            'one-cloud',
+        )
 
 
 def check_zero(there: Laser, seconds: float) -> None:
@@ -281,15 +342,14 @@ def check_many(there: Laser) -> None:
         there.learner.run(0.12)
         there.tell(begin + 0.12)
         there.learner.run(0.1)
-        clouds = sorted(there.clouds.messages, key=lambda cloud: Time.from_msg(cloud.header.stamp).nanoseconds)
+        clouds = len(there.clouds)
         expect(
-            len(clouds) == count,
+            clouds == count,
             f'After more than {before} scans {count} more came, then the transforms for all of them, and '
-            f'{len(clouds)} clouds: one cloud for each scan, however many there were before.',
+            f'{clouds} clouds: one cloud for each scan, however many there were before.',
             'one-cloud',
         )
-        for scan, cloud in zip(scans, clouds, strict=True):
-            there.check(scan, cloud)
+        there.check_all(scans)
         before += count
 
 
@@ -303,6 +363,11 @@ def points(cloud: PointCloud2) -> np.ndarray:
             f'The cloud cannot be read ({type(error).__name__}: {error}). Make it with create_cloud_xyz32.',
             'place',
         )
+
+
+def _nanoseconds(message) -> int:
+    """The stamp of a scan or of a cloud."""
+    return Time.from_msg(message.header.stamp).nanoseconds
 
 
 def _few(distances) -> str:
