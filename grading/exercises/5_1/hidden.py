@@ -3,7 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback, check_own_results
+from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback, check_own_results, check_threads
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
@@ -259,3 +259,13 @@ def test_restart(learner):
         goal.status == 'succeeded' and list(goal.result.sequence) == [0, 1],
         f'After a restart of the server the goal of order 2 {goal.ended}.',
     )
+
+
+@pytest.mark.rules('goals')
+@about('goals')
+def test_threads(learner):
+    """Two goals make their steps at the same moments; whichever thread goes on first, each tells its own numbers.
+
+    A Feedback in self belongs to all goals; one that is made in execute belongs to one.
+    """
+    check_threads(learner)

@@ -203,4 +203,16 @@ goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
         self.newest = goal
         """), ('if goal.is_cancel_requested:', 'if self.newest.is_cancel_requested and goal.is_cancel_requested:')),
            expect='two of them were cancelled, both between two steps'),
+    Mutant('one_feedback_for_all', breaks='goals', edits=(("super().__init__('fibonacci_server')", """
+        super().__init__('fibonacci_server')
+        self.feedback = Fibonacci.Feedback()
+        """), ('goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))', """
+        self.feedback.sequence = numbers
+        goal.publish_feedback(self.feedback)
+        """)), expect='Make a new Feedback in execute'),
+    Mutant('newest_numbers_in_self', breaks='goals', old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))',
+           new="""
+        self.numbers = numbers
+        goal.publish_feedback(Fibonacci.Feedback(sequence=self.numbers))
+        """, expect='Make a new Feedback in execute'),
 ]

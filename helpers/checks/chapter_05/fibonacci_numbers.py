@@ -1,7 +1,11 @@
 """The numbers of exercise 5.1, what the feedback of its longest goal is, and that each goal has a result of its own."""
 
+from example_interfaces.action import Fibonacci
+
 from helpers.checks.chapter_05.kept_results import check_kept
 from helpers.runner import expect
+
+MOST_PLACES = 92  # in the learner's lines, to which threads come in one step of two goals
 
 SERIES = [0, 1]
 while len(SERIES) < 47:
@@ -42,3 +46,52 @@ def check_own_results(learner, goals) -> None:
         lambda result: list(result.sequence),
         'goals',
     )
+
+
+def check_threads(learner) -> None:
+    """Two goals make their steps at the same moments, while a thread stands aside at one place after the other.
+
+    What one of them has put into an object that both share, the other one changes before it is sent: rule `goals`.
+    """
+    client = learner.action_client('/fibonacci', Fibonacci)
+    node = learner.start('FibonacciServer', threads=True, switches=True)
+    alone = client.send(order=2)
+    learner.run(1.5, step=0.5)
+    expect(alone.accepted, f'The goal of order 2 {alone.answer}. It can be done.', 'orders')
+    if _heard(alone) != [SERIES[:1], SERIES[:2]]:
+        return  # other tests judge a goal that is alone
+    place, places = 1, 1
+    while place <= min(places, MOST_PLACES):
+        goals = [client.send(order=47)]
+        learner.run(0.5)
+        goals.append(client.send(order=46))
+        for _ in range(46):
+            node.switch(place)
+            learner.run(0.5, step=0.5)
+            places, stood = node.switch(0)
+            for goal in goals:
+                _check_last(goal, stood)
+            place += 1
+            if place > min(places, MOST_PLACES):
+                break
+        for goal in goals:
+            goal.cancel()
+        learner.run(1.0, step=0.5)
+
+
+def _check_last(goal, stood: str) -> None:
+    """Expect that the newest feedback of a goal has its own numbers; `stood`: where a thread of the program stood."""
+    heard = _heard(goal)
+    count = len(heard)
+    expect(
+        heard[-1:] == [SERIES[:count]],
+        'Two goals made a step at the same moment'
+        f'{stood and f", while the thread of one stood before {stood}"}. Feedback {count} of the goal of order '
+        f'{goal.request.order} was then {heard[-1] if heard else "missing"}, expected its own numbers so far, '
+        f'{SERIES[:count]}. Make a new Feedback in execute, and keep all that belongs to one goal in variables there.',
+        'goals',
+    )
+
+
+def _heard(goal) -> list[list[int]]:
+    return [list(feedback.sequence) for feedback in goal.feedback]

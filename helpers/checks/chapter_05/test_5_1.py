@@ -3,7 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback, check_own_results
+from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback, check_own_results, check_threads
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
@@ -223,3 +223,13 @@ def _two_of_three(learner, client, left):
         'goals',
     )
     check_goal(goals[2], 'goals')
+
+
+@pytest.mark.rules('goals')
+@about('goals')
+def test_threads(learner):
+    """Two goals make their steps at the same moments; whichever thread goes on first, each tells its own numbers.
+
+    Several threads run your execute: what it keeps in self, they share.
+    """
+    check_threads(learner)
