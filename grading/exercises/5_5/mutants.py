@@ -375,4 +375,19 @@ MUTANTS = [
     Mutant('only_three_that_wait_leave', breaks='cancel-waiting', also=('lock', 'others'),
            old='for goal in self.goals[1:] if goal.is_cancel', new='for goal in self.goals[1:4] if goal.is_cancel',
            expect='somebody must look at all goals that wait'),
+    Mutant('begins_the_next_before_the_end', breaks='queue', edits=(("""
+        goal.canceled() if goal.is_cancel_requested else goal.succeed()
+        with self.lock:
+            self.goals.pop(0)
+        """, """
+        with self.lock:
+            self.goals.pop(0)
+        """), ("""
+        for other in following:
+            other.execute()
+        """, """
+        for other in following:
+            other.execute()
+        goal.canceled() if goal.is_cancel_requested else goal.succeed()
+        """)), expect='First end a goal'),
 ]

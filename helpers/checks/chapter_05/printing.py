@@ -3,11 +3,13 @@
 import math
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import pairwise
 from random import Random
 from typing import Any
 
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.driving import ENDS
 from helpers.checks.chapter_05.kept_results import check_kept
 from helpers.checks.chapter_05.two_goals import send_two
 from helpers.runner import expect
@@ -118,6 +120,7 @@ class Printer:
         self.free = 0.0  # when the printer is free for the next goal
         self.before = ''
         running: list[Job] = []
+        printed: list[Job] = []
         for job in self.jobs:
             self._judge_answer(job, running)
             if not job.goal.accepted:
@@ -128,9 +131,12 @@ class Printer:
                 self._judge_leaving(job)
                 continue
             self._judge_pages(job)
+            printed.append(job)
             self.free, self.before = job.end, job.name
         for job in running:
             self._judge_status(job)
+        for before, job in pairwise(printed):
+            self._judge_beside(job, before)
         names = {id(job.goal): job.name for job in self.jobs}
         check_kept(
             self.learner,
@@ -279,6 +285,19 @@ class Printer:
             job.cancel_at < NEVER or near(job.end, job.begin + PAGE * job.order),
             f'{told}ended at {job.end:g} s, expected at {job.begin + PAGE * job.order:g} s.',
             'pages',
+        )
+
+    def _judge_beside(self, job: Job, before: Job) -> None:
+        """A goal begins after the end of the one before it; both are said at one moment, one after the other."""
+        ended, began = (
+            [at for status, at in zip(one.goal.statuses, one.goal.published, strict=True) if status in wanted]
+            for one, wanted in ((before, ENDS), (job, ('executing',)))
+        )
+        expect(
+            not ended or not began or ended[0] <= began[0],
+            f'{self._told(job)}was executing before goal {before.name} had ended, so two goals ran. First end a goal, '
+            'with succeed() or canceled(), and then begin the next one.',
+            'queue',
         )
 
     def _judge_completed(self, job: Job, stamps: list[float], due: list[float]) -> None:
