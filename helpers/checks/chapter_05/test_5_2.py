@@ -12,6 +12,7 @@ from helpers.runner import about, action_peers, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once', namespace='names')]
 NEAR = 0.011  # s
+SHORT = 0.35  # s, for a constructor that does not wait
 WORDS = 'rejected', 'succeeded', 'canceled', 'aborted', 'lost'
 
 
@@ -410,7 +411,7 @@ def test_server_comes_late(learner):
     )
     server.stop()
     check_two_clients(learner, beside=node)
-    _check_constructor(learner, node)
+    check_constructor(learner, node, server)
 
 
 def _check_no_end_before(outcome, end, late):
@@ -424,18 +425,29 @@ def _check_no_end_before(outcome, end, late):
     )
 
 
-def _check_constructor(learner, node):
-    """Without a server the constructor returns at once."""
+def check_constructor(learner, node, server) -> None:
+    """Without a server the constructor returns as soon as with one: rule `at-once`. The server of the test is stopped.
+
+    The two are compared with each other: on a busy machine both take long.
+    """
+    learner.settle()
+    without = _shortest(learner, node)
+    if without < SHORT:
+        return
+    server.start()
     learner.settle()
     expect(
-        any(_seconds(lambda: learner.start('PatientClient', 1, 1.0, beside=node)) < 0.35 for _ in range(4)),
+        without < SHORT + 2 * _shortest(learner, node),
         'Without a server, your constructor takes a long time: it must not wait for the server.',
         'at-once',
     )
 
 
-def _seconds(function) -> float:
-    """The wall time that a call takes."""
-    begin = time.monotonic()
-    function()
-    return time.monotonic() - begin
+def _shortest(learner, node) -> float:
+    """The wall time (s) that a client takes to start, the shortest of several if it is not short."""
+    times: list[float] = []
+    while len(times) < 4 and min(times, default=SHORT) >= SHORT:
+        begin = time.monotonic()
+        learner.start('PatientClient', 1, 1.0, beside=node)
+        times.append(time.monotonic() - begin)
+    return min(times)
