@@ -95,4 +95,6 @@ class Driver(Node):
         if self.rounds % 3 == 0:
             self.goal.publish_feedback(DriveTo.Feedback(distance=distance))
 '''),
+    Alternative('feedback_twice_a_second', old='if step % 2 == 0:', new='if step % 5 == 1:'),
+    Alternative('feedback_from_the_first_round_on', old='if step % 2 == 0:', new='if step % 4 == 1:'),
 ]

@@ -90,10 +90,10 @@ def test_feedback(learner):
     """
     client, sim, _ = begin(learner, 1.0, 1.0)
     goal = client.send(x=10.0, y=learner.random.uniform(1, 3))
-    truth = []
-    for _ in range(5):
-        sim.run(0.4)
-        truth.append(sim.distance(goal.request.x, goal.request.y))
+    truth = []  # (time, true distance)
+    for _ in range(20):
+        sim.run(0.1)
+        truth.append((learner.now / 1e9, sim.distance(goal.request.x, goal.request.y)))
     rate = len(goal.feedback) / 2.0
     expect(goal.feedback, 'No feedback came.')
     expect(rate <= 5.6, f'{rate:g} feedback messages came in a second, expected at most 5: do not flood.')
@@ -104,9 +104,11 @@ def test_feedback(learner):
     expect(
         told == sorted(told, reverse=True), 'The turtle comes nearer, but the distance in the feedback does not fall.'
     )
+    # The last feedback may be half a second old: it is compared with where the turtle was when it came.
+    _, then = min(truth, key=lambda moment: abs(moment[0] - goal.stamps[-1]))
     expect(
-        abs(told[-1] - truth[-1]) < 0.7,
-        f'The last feedback says {told[-1]:.2f} m, and the turtle is {truth[-1]:.2f} m away: use the newest pose.',
+        abs(told[-1] - then) < 0.5,
+        f'The last feedback says {told[-1]:.2f} m, and the turtle was {then:.2f} m away: use the newest pose.',
     )
 
 
@@ -267,7 +269,7 @@ def test_cancelled_before(learner):
     learner.run(1.0)
     y = learner.random.uniform(3.0, 5.0)
     poses.send(Pose(x=2.0, y=y, theta=learner.random.uniform(1.0, 2.0), linear_velocity=1.0))
-    learner.run(17.9)
+    learner.run(17.5)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
     pause = longest_pause(goal, goal.finished or learner.now / 1e9)
     expect(pause < 0.65 and len(goal.stamps) > 35, 'For a while no feedback came: the turtle only turned.', 'feedback')
@@ -280,7 +282,7 @@ def test_cancelled_before(learner):
     check_feedback_now(learner, goal, poses)
     near = learner.random.uniform(0.12, 0.9)
     poses.send(Pose(x=9.0 - 0.6 * near, y=2.0 + 0.8 * near))
-    learner.run(1.0)
+    learner.run(1.4)  # 0.8 s before its end and longer: time for feedback that comes twice a second
     expect(goal.done, 'After 20.6 s the goal still runs.', 'give-up')
     expect(
         goal.status == 'aborted',
