@@ -3,8 +3,11 @@
 import math
 
 import numpy as np
+from tf_transformations import quaternion_matrix
 
 from helpers.runner import expect
+
+ORDER = 'In which order does a Quaternion have x, y, z and w?'
 
 
 def words(vector, digits: int = 2) -> str:
@@ -39,6 +42,12 @@ def check_rotation(transform, hint: str = '') -> None:
         f'The quaternion of `{transform.child_frame_id}` has the length {length:.2f}, expected '
         f'1: it is no rotation. {hint}',
     )
+
+
+def w_first(transform, expected) -> bool:
+    """Whether a TransformStamped has the turn of this matrix, but its quaternion begins with w."""
+    turn = transform.transform.rotation
+    return same(quaternion_matrix((turn.y, turn.z, turn.w, turn.x))[:3, :3], np.asarray(expected)[:3, :3])
 
 
 def origin(matrix) -> np.ndarray:

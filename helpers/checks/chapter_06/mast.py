@@ -5,7 +5,7 @@ from difflib import get_close_matches
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import apart, axis, check_rotation, explain, origin, same, words
+from helpers.checks.chapter_06.geometry import ORDER, apart, axis, check_rotation, explain, origin, same, w_first, words
 from helpers.runner import about, expect
 from helpers.runner.frames import Listener, pose, to_matrix
 from helpers.runner.started_nodes import StartedNodes
@@ -14,7 +14,6 @@ PARENTS = {'mast': 'base_link', 'lidar': 'mast', 'camera': 'mast', 'camera_optic
 RULES = {'mast': 'places', 'lidar': 'lidar', 'camera': 'tilt', 'camera_optical': 'optical'}  # how each is turned
 NOT_TURNED = '"Not turned" is x=0, y=0, z=0, w=1.'
 LATER = 12.0  # simulated seconds after which the late listener comes
-ORDER = 'In which order does a Quaternion have x, y, z and w?'
 
 
 def truth(height: float, tilt: float) -> dict:
@@ -137,8 +136,12 @@ def judge_places(mast: Mast) -> None:
                 f'{mast.called}: `{child}` is at {is_at} in its parent, expected {wanted}.',
             )
             check_rotation(transform, NOT_TURNED)
-        turn = to_matrix(mast.late.static_transforms['mast'])[:3, :3]
-        expect(same(turn, np.eye(3)), f'{mast.called}: `mast` is turned. {NOT_TURNED} {ORDER}')
+        turned = mast.late.static_transforms['mast']
+        explain(
+            same(to_matrix(turned)[:3, :3], np.eye(3)),
+            f'{mast.called}: `mast` is turned. {NOT_TURNED}',
+            (w_first(turned, np.eye(4)), ORDER),
+        )
 
 
 def judge_camera(mast: Mast) -> None:
@@ -154,9 +157,22 @@ def judge_camera(mast: Mast) -> None:
             'That is up. Positive angles turn from z to x: a positive pitch looks down.',
         ),
         (same(view, (math.cos(tilt), 0, -math.sin(tilt))), 'The tilt was taken for radians. It is in degrees.'),
-        (True, f'Which angle is it? {ORDER}'),
+        (w_first(mast.late.static_transforms['camera'], truth(mast.height, tilt)['camera']), ORDER),
+        (
+            same(view, (math.sin(angle), 0, -math.cos(angle))),
+            'This angle is counted from straight down. A tilt of 0 looks straight ahead.',
+        ),
+        (
+            any(same(view, (math.cos(math.radians(n)), 0, -math.sin(math.radians(n)))) for n in _whole(tilt)),
+            'This is a whole number of degrees: parts of a degree count, too.',
+        ),
+        (True, 'Which angle is it?'),
         rule='tilt',
     )
+
+
+def _whole(tilt: float) -> set[int]:
+    return {math.floor(tilt), math.ceil(tilt)}
 
 
 def judge_upwards(learner) -> None:
@@ -213,14 +229,19 @@ def judge_numbers(learner) -> None:
 
 def judge_lidar(mast: Mast) -> None:
     """The rule `lidar`."""
-    lidar = mast.in_base('lidar')
+    lidar, angle = mast.in_base('lidar'), math.radians(mast.tilt)
     expect(not same(lidar[:3, :3], np.eye(3)), 'The lidar stands upright. It hangs upside down.', 'lidar')
+    tilted = any(same(lidar[:3, :3], (pose(pitch=one) @ pose(roll=math.pi))[:3, :3]) for one in (angle, -angle))
     for name, expected in (('x', (1, 0, 0)), ('y', (0, -1, 0)), ('z', (0, 0, -1))):
-        expect(
+        explain(
             same(axis(lidar, name), expected),
             f'The {name} axis of the lidar points along {words(axis(lidar, name))} in base_link, expected '
-            f'{words(expected)}: half a turn about x. {ORDER}',
-            'lidar',
+            f'{words(expected)}: half a turn about x.',
+            (w_first(mast.late.static_transforms['lidar'], pose(roll=math.pi)), ORDER),
+            (tilted, 'It is tilted as the camera. Only the camera is tilted.'),
+            (same(lidar[:3, :3], pose(pitch=math.pi)[:3, :3]), 'This is half a turn about y.'),
+            (same(lidar[:3, :3], pose(yaw=math.pi)[:3, :3]), 'This is half a turn about z.'),
+            rule='lidar',
         )
 
 

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import apart, axis, check_rotation, explain, origin, same, words
+from helpers.checks.chapter_06.geometry import ORDER, apart, axis, check_rotation, explain, origin, same, w_first, words
 from helpers.runner import about, expect
-from helpers.runner.frames import to_matrix
+from helpers.runner.frames import pose, to_matrix
 from helpers.runner.peers import SECOND
 
 STEP = 0.05  # s
@@ -179,10 +179,12 @@ def judge_face(moon: Watched) -> None:
         with about('face'):
             check_rotation(transform, 'An angle is not a part of a quaternion. Use quaternion_from_euler.')
             told = f'{moon.called}: at time {time:.13g} s the x axis of the moon points along {words(view)}'
-            expect(
+            explain(
                 same(axis(there, 'z'), (0, 0, 1)),
-                f'{told}, and its z axis along {words(axis(there, "z"))}, expected '
-                '(0, 0, 1). In which order does a Quaternion have x, y, z and w?',
+                f'{told}, and its z axis along {words(axis(there, "z"))}, expected (0, 0, 1).',
+                (w_first(transform, facing(there)), ORDER),
+                (same(axis(there, 'z'), (0, 0, -1)), 'It stands on its head: it needs a yaw, and no roll or pitch.'),
+                (True, 'It needs a yaw, and no roll or pitch.'),
             )
             explain(
                 same(view, expected, 1e-3),
@@ -195,6 +197,12 @@ def judge_face(moon: Watched) -> None:
                 (same(view, -expected, 1e-3), 'It looks away from the planet: half a turn is missing.'),
                 (True, 'Is an angle in degrees, or is half an angle missing?'),
             )
+
+
+def facing(there: np.ndarray) -> np.ndarray:
+    """The matrix of a moon at the place of this one that looks to the planet."""
+    x, y, z = origin(there)
+    return pose(x, y, z, yaw=math.atan2(-y, -x))
 
 
 def judge_two(learner, moon: Watched) -> None:
@@ -232,6 +240,8 @@ def judge_one_look(learner) -> None:
     with about('stamp'):
         node = learner.start('Moon', radius, period, switches=True)
         learner.run(STEP + PAUSE)
+        for transform in heard.transforms:  # what is wrong already now has another cause than the busy machine
+            _judge_together(f'Moon({radius}, {period})', radius, period, transform, '')
         for place in range(1, MOST_PLACES):
             node.switch(place, hold=True)
             learner.run(STEP - PAUSE)  # up to the call of the timer
@@ -256,11 +266,9 @@ def _judge_together(called: str, radius: float, period: float, transform, stood:
     stamp = transform.header.stamp.sec + transform.header.stamp.nanosec / 1e9
     angle = 2 * math.pi * stamp / period
     there, wanted = to_matrix(transform), _on_circle(radius, angle)
-    story = (
-        f'{called}: on a busy machine the clock went on by {PAUSE} s in the middle of a callback'
-        f'{f", at {stood}" if stood else ""}. '
-    )
-    once = 'Ask the clock once in each callback, and use this time for all.'
+    busy = f'on a busy machine the clock went on by {PAUSE} s in the middle of a callback, at {stood}. '
+    story = f'{called}: {busy if stood else ""}'
+    once = 'Ask the clock once in each callback, and use this time for all.' if stood else ''
     expect(
         same(origin(there), wanted, 1e-3),
         f'{story}The stamp is {stamp:.13g} s, and the place is not that for this time, but {words(origin(there))}, '
