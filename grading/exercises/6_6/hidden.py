@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.falling import Crate, small
+from helpers.checks.chapter_06.falling import Crate, a_mass, small
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('6.6')
@@ -13,7 +13,7 @@ def crate(learner) -> Crate:
     draw = learner.random.uniform
     sides = [draw(0.2, 0.3), draw(0.4, 0.5), draw(0.6, 0.7)]
     learner.random.shuffle(sides)
-    return Crate(learner, round(draw(3.0, 8.0), 2), *(round(side, 3) for side in sides))
+    return Crate(learner, a_mass(learner.random, 3.0, 8.0), *(round(side, 3) for side in sides))
 
 
 @pytest.mark.rules('urdf', 'visual', 'collision', 'place')

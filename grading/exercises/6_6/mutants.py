@@ -113,4 +113,6 @@ def crate(mass, length, width, height):
         crate.mass = getattr(crate, 'mass', mass)
         inertial = f'''<inertial>{middle}<mass value="{crate.mass}"/>
         """),), expect='which was called before'),
+    Mutant('mass_of_three_digits', breaks='mass', old='value="{mass}"/', new='value="{mass:.3g}"/',
+           expect='Do not round the mass'),
 ]

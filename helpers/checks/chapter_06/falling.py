@@ -1,11 +1,13 @@
 """The tests of exercise 6.6 let a crate fall in the simulated world, on the learner's side."""
 
 import json
+import math
 from pathlib import Path
+from random import Random
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import explain, same, words
+from helpers.checks.chapter_06.geometry import apart, explain, same
 from helpers.runner import expect
 
 CLOSE = 2e-4  # of a mass or an inertia, which a small crate keeps with four digits
@@ -22,7 +24,13 @@ def small(learner, other: 'Crate') -> 'Crate':
     learner.random.shuffle(sides)
     if (sides[0] > sides[1]) is (other.size[0] > other.size[1]):
         sides[0], sides[1] = sides[1], sides[0]
-    return Crate(learner, round(draw(0.02, 0.05), 4), *sides)
+    return Crate(learner, a_mass(learner.random, 0.02, 0.05), *sides)
+
+
+def a_mass(random: Random, least: float, most: float) -> float:
+    """A mass (kg) of more than three digits: whoever rounds it to three is wrong by more than CLOSE."""
+    step = 10 ** math.floor(math.log10(least)) / 100  # what the third digit counts
+    return round((random.randrange(round(least / step), round(most / step)) + random.uniform(0.3, 0.45)) * step, 6)
 
 
 class Crate:
@@ -83,10 +91,8 @@ class Crate:
             f'{self.name}: its <visual> is not the one that was given, a box on top of the frame. It stays as it is.',
             'visual',
         )
-        told = (
-            f'{self.name}: its <collision> reaches from {words(low)} to {words(high)}, expected from '
-            f'{words(wanted[0])} to {words(wanted[1])}.'
-        )
+        (from_, from_wanted), (to, to_wanted) = apart(low, wanted[0]), apart(high, wanted[1])
+        told = f'{self.name}: its <collision> reaches from {from_} to {to}, expected from {from_wanted} to {to_wanted}.'
         explain(
             same((low, high), wanted),
             told,
@@ -109,24 +115,30 @@ class Crate:
 
     def check_weight(self) -> None:
         """Its mass, where the middle of it is, and its inertia."""
-        found, (a, b, c) = self.found, self.size
+        found, c = self.found, self.size[2]
         mass, centre = found['mass'], found['centre']
         expect(mass > 0.002, f'{self.name} weighs next to nothing: it has no <inertial>, or no mass in it.', 'mass')
         explain(
             abs(mass - self.mass) < CLOSE * self.mass,
             f'{self.name} has the mass {mass:g} kg, expected {self.mass:g} kg.',
+            (abs(mass - self.mass) < 0.01 * self.mass, 'Do not round the mass in the text.'),
             (
                 abs(mass - self.before[0]) < CLOSE * mass,
                 f'That is the mass of {self.first}, which was called before: keep nothing of an earlier call.',
             ),
             rule='mass',
         )
+        is_at, must = apart(centre, (0, 0, c / 2))
         explain(
             same(centre, (0, 0, c / 2)),
-            f'{self.name}: the centre of its mass is at {words(centre)}, expected {words((0, 0, c / 2))}.',
+            f'{self.name}: the centre of its mass is at {is_at}, expected {must}.',
             (same(centre, (0, 0, 0)), 'That is its bottom. The <inertial> needs an <origin>, too.'),
             rule='centre',
         )
+        self._check_inertia()
+
+    def _check_inertia(self) -> None:
+        found, (a, b, c) = self.found, self.size
         squares = np.array([b * b + c * c, a * a + c * c, a * a + b * b])
         inertia, wanted = np.array(found['inertia']), self.mass / 12 * squares
         numbers = [[f'{value:.6g}' for value in values] for values in (np.diag(inertia), wanted)]
@@ -146,6 +158,11 @@ class Crate:
             is_about(wanted),
             told,
             (is_about(12 * wanted), 'Divide by 12.'),
+            (is_about(wanted / 4), 'The formula takes whole sides, not half ones.'),
+            (
+                is_about(wanted + self.mass * np.array([c * c, c * c, 0.0]) / 4),
+                'This is the inertia about its bottom. It is to be that about the centre of its mass.',
+            ),
             (
                 not upright,
                 'But these are not all: the products ixy, ixz and iyz of a box about its own axes are 0, and its '

@@ -391,7 +391,8 @@ class Scout:
         explain(
             x > 0.02,
             f'{self.name}: 0.3 m/s forward was commanded. After two seconds it is at x = {x:.2f} m.',
-            (x < -0.02, 'It drives backwards.'),
+            (x < -0.1, 'It drives backwards.'),
+            (True, 'It hardly moves. Do both wheels touch the floor, and do they turn about the axle?'),
             rule='drive',
         )
         explain(

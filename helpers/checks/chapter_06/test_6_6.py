@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.falling import Crate, small
+from helpers.checks.chapter_06.falling import Crate, a_mass, small
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('6.6')
@@ -18,7 +18,7 @@ def test_crate(learner):
     draw = learner.random.uniform
     sides = [round(side, 3) for side in (draw(0.2, 0.3), draw(0.4, 0.5), draw(0.6, 0.7))]
     learner.random.shuffle(sides)
-    crate = Crate(learner, round(draw(2.0, 5.5), 2), *sides)
+    crate = Crate(learner, a_mass(learner.random, 2.0, 5.5), *sides)
     crate.check_fall()
     crate.check_weight()
     with about('inertia'):
