@@ -46,7 +46,7 @@ MUTANTS = [
         if msg.range != getattr(self, 'last', None):
             self.publisher.publish(msg)
         self.last = msg.range
-        ''', expect='came out by then', breaks='one-each', also=('inf',)),
+        ''', expect='did not come out, such as', breaks='one-each', also=('inf',)),
     Mutant('frame_only', old=SOLUTION, new=COPY % '''
                     header=Header(frame_id=msg.header.frame_id), radiation_type=msg.radiation_type,
                     field_of_view=msg.field_of_view'''.strip(), imports='from std_msgs.msg import Header',
@@ -174,7 +174,7 @@ class RangeToMetres(Node):
             return
         self.last = copy.deepcopy(msg)
         msg.range /= 100
-        """, imports='import copy', expect='14 messages went in', breaks='one-each'),
+        """, imports='import copy', expect='the second of two that are alike', breaks='one-each'),
     Mutant('small_numbers_are_metres', old='msg.range /= 100', new="""
         if msg.max_range < 10:
             self.publisher.publish(msg)

@@ -1,6 +1,7 @@
 """Readings of a distance sensor in centimetres, and what a relay makes of them: for exercise 3.2."""
 
 import math
+from collections import Counter
 
 import pytest
 from sensor_msgs.msg import Range
@@ -47,9 +48,35 @@ def burst(random) -> list[Range]:
     ]
 
 
+def check_lost(got: list[Range], sent: list[Range]) -> None:
+    """Where fewer came out than went in, tell one that is missing; who changes all stamps is told so elsewhere."""
+    came = Counter(map(_stamp, got))
+    missing = []
+    for message in sent:
+        came[_stamp(message)] -= 1
+        if came[_stamp(message)] < 0:
+            missing.append(message)
+    if not got or len(got) >= len(sent) or len(missing) != len(sent) - len(got):
+        return
+    one = missing[0]
+    twice = sum(_stamp(other) == _stamp(one) for other in sent) > 1
+    values = f'range={one.range:g}, min_range={one.min_range:g} and max_range={one.max_range:g}'
+    expect(
+        False,
+        f'{len(sent)} messages came one shortly after the other, and {len(missing)} of them did not come out, such as '
+        f'{"the second of two that are alike" if twice else f"one with {values}"}. Publish one message for each, '
+        'whatever is in it.',
+        'one-each',
+    )
+
+
+def _stamp(message: Range) -> tuple[int, int]:
+    return message.header.stamp.sec, message.header.stamp.nanosec
+
+
 def check_burst(got: list[Range], sent: list[Range]) -> None:
     """`got` is what came for messages that were sent one shortly after the other; there are as many."""
-    came, wanted = ([(one.header.stamp.sec, one.header.stamp.nanosec) for one in of] for of in (got, sent))
+    came, wanted = ([*map(_stamp, of)] for of in (got, sent))
     same = sorted(came) == sorted(wanted)
     expect(
         same or len(set(came)) == 1 or not set(came) <= set(wanted),  # without a header all are alike
