@@ -138,9 +138,10 @@ def _explained(key: str, offered: dict, requested: dict, missing: bool, several:
     if key in ('topic', 'type'):
         return 'names', 'They fit only if they are equal, letter by letter.'
     if key == 'deadline':
+        equal = ' Two that are equal fit.' if offered[key] == requested[key] else ''
         if offered[key] and requested[key]:
-            return 'deadline', 'The offered period must not be longer than the requested one.'
-        return 'no-deadline', '0.0 is an endless period.'
+            return 'deadline', f'The offered period must not be longer than the requested one.{equal}'
+        return 'no-deadline', f'0.0 is an endless period.{equal}'
     if missing:
         return key, 'An offer must be at least as strong as the request.'
     return key, 'Different is not incompatible: an offer that is stronger than the request fits.'
