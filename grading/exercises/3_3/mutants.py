@@ -202,4 +202,9 @@ MUTANTS = [
             if now - getattr(self, 'last', 0) > 500_000_000:
                 self.seconds, self.last = 0, now
         ''', expect='the next one must be 1'),
+    Mutant('late_reset_lost', old=RESET, new="""
+        def on_reset(self, msg):
+            if self.seconds < 30:
+                self.seconds = 0
+        """, expect='however far it has counted', breaks='reset'),
 ]

@@ -12,14 +12,15 @@ pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos
 ENDS = (('publisher', 'led'), ('publisher', 'uptime'), ('subscription', 'reset'))
 
 
-@pytest.mark.rules('node', 'topics', 'qos', 'led', 'led-rate', 'uptime', 'uptime-rate', 'no-wait')
+@pytest.mark.rules('node', 'topics', 'qos', 'led', 'led-rate', 'uptime', 'uptime-rate', 'reset', 'no-wait')
 def test_heartbeat(learner):
     """A Heartbeat blinks every 0.25 s and counts seconds, also after a minute.
 
     Two timers. Their callbacks return at once.
     """
-    led, uptime, _, _ = begun(learner)
+    led, uptime, button, _ = begun(learner)
     check_minute(learner, led, uptime)
+    check_late_reset(learner, uptime, button)
 
 
 @pytest.mark.rules('reset', 'reset-only', 'no-wait', 'own-state')
@@ -122,6 +123,20 @@ def check_minute(learner, led, uptime):
         led.data == [number % 2 == 0 for number in range(len(led))],
         'In more than a minute the LED does not change with every message.',
         'led',
+    )
+
+
+def check_late_reset(learner, uptime, button):
+    """A reset works after more than a minute, too, whatever has been counted by then."""
+    counted, count = uptime.data[-1], len(uptime)
+    press(learner, button, 1)
+    with waiting('no-wait'):
+        learner.run(2.0, step=0.5)
+    expect(
+        uptime.data[count:] == [1, 2] or len(uptime) != count + 2,  # the other test looks at the rhythm
+        f'After the uptime {counted} came a reset, and then the uptimes {told(uptime.data[count:])}, expected 1, '
+        f'2{": a reset sets the counter to 0, however far it has counted" if uptime.data[-1] > counted else ""}.',
+        'reset',
     )
 
 
