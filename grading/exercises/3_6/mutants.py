@@ -225,4 +225,10 @@ MUTANTS = [
         """, expect='on scan_gap'),
     Mutant('gaps_of_ten_days_at_most', breaks='gap', old='if gap > self.max_gap:', new='if self.max_gap < gap < 864_000:',
            expect='nothing came on scan_gap'),
+    Mutant('rounded_to_milliseconds', old=GAP, new='self.gap.publish(Float64(data=round(gap, 3)))',
+           expect='publish the difference without rounding', breaks='gap', also=('limit',)),
+    Mutant('not_from_the_gap_on', old=GAP, new="""
+        self.gap.publish(Float64(data=gap))
+        return
+        """, expect='the newest one from then on, also after a gap', breaks='gap', also=('own-state', 'limit', 'old', 'first')),
 ]

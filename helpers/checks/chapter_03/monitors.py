@@ -65,6 +65,12 @@ def check_exact(learner, **start) -> None:
     with about('limit'):
         learner.settle()
     expect(
+        len(gaps) != 1 or gaps.data == pytest.approx([more / SECOND]),
+        f'With max_gap {max_gap:g} s, a stamp {more} ns after the newest gave {gaps.data} on scan_gap, expected '
+        f'{more / SECOND:.9g}: the difference of the two stamps in seconds, without rounding.',
+        'gap',
+    )
+    expect(
         gaps.data == pytest.approx([more / SECOND]),
         f'With max_gap {max_gap:g} s, a stamp {more} ns after the newest gave {gaps.data} on scan_gap. It is '
         'more than max_gap, if only by nanoseconds: compare without rounding.',
@@ -232,6 +238,11 @@ class Watched:
                 why = (
                     f'This is how long ago the stamp {self.last_gap:g} was, that of the last gap. Each scan that is '
                     'not older is the newest one from then on, also without a gap.'
+                )
+            elif not right and got and got[0] > gap:
+                why = (
+                    f'This is more than the difference to the newest stamp, {gap:g} s. Each scan that is not older is '
+                    'the newest one from then on, also after a gap.'
                 )
             expect(
                 not got,

@@ -70,7 +70,7 @@ def test_monitor(learner):
     monitors.check_own_topics(learner, node, rates, gaps, lidar, newest, max_gap)
 
 
-@pytest.mark.rules('limit', 'report')
+@pytest.mark.rules('gap', 'limit', 'report')
 def test_limits(learner):
     """A RateMonitor compares whole nanoseconds, and 0 is a limit like any other.
 
@@ -110,8 +110,8 @@ def check_reports(rates, sent, begin):
     """One report for each second since the monitor's start, with the number of scans that were sent in it."""
     expect(
         rates.messages,
-        f'Nothing came on scan_rate in the first {len(sent)} s. A silent sensor calls no callback: report in a timer, '
-        "by the node's own clock.",
+        f'Nothing came on scan_rate in the first {len(sent)} s, in which no scan came. A silent sensor calls no '
+        "callback: report in a timer, by the node's own clock, and report 0.0, too.",
         'silent',
     )
     expect(
@@ -211,7 +211,12 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
         f'{own}. What they count belongs to the object (self).',
         'own-state',
     )
-    came = gaps.data[before + 3 :]
+    _check_default(gaps.data[before + 3 :])
+    return stamp + 2 * long + 10.5 + JUST_MORE
+
+
+def _check_default(came: list[float]) -> None:
+    """What came on scan_gap for the differences 0.5 and JUST_MORE, of two monitors, of which one has the default."""
     expect(
         came != pytest.approx([JUST_MORE, JUST_MORE]),
         'When a second monitor with another max_gap is made in the same '
@@ -219,9 +224,13 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
         'own-state',
     )
     expect(
+        len(came) != 1 or came == pytest.approx([JUST_MORE]) or abs(came[0] - JUST_MORE) > 0.1,
+        f'Two stamps that differ by {JUST_MORE} s gave {came} on scan_gap: publish the difference without rounding.',
+        'gap',
+    )
+    expect(
         came == pytest.approx([JUST_MORE]),
         'A second RateMonitor(), without an argument, heard the differences 0.5 and '
         f'{JUST_MORE} s, and {came} came on scan_gap: max_gap is 0.5 then.',
         'limit',
     )
-    return stamp + 2 * long + 10.5 + JUST_MORE
