@@ -170,4 +170,9 @@ MUTANTS = [
     Mutant('five_at_most', old='    return found\n', new='    return found[:5]\n', breaks='all', expect='You did not find'),
     Mutant('mass_below_a_ton', old="float(mass.get('value')) <= 0", new="not 0 < float(mass.get('value')) < 1000",
            expect='A mass must be more than 0', breaks='mass', also=('all', 'inertia', 'frames')),
+    Mutant('one_collision_each', old="        visual = link.find('visual')\n", new="""
+        visual = link.find('visual')
+        for more in link.findall('collision')[1:]:
+            link.remove(more)
+""", breaks='kept', expect='has 1 <collision> after your repair, expected 2'),
 ]
