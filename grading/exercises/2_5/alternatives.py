@@ -149,4 +149,36 @@ def test_numbers(number):
 """),
         ('return [*stations, stations[0]]', 'return stations + stations[:1]'),
     )),
+    Alternative('without_a_timer', old="""
+        node.create_timer(0.5, lambda: publisher.publish(String(data=next(stations))))
+        rclpy.spin(node)
+    """, new="""
+        while rclpy.ok():
+            publisher.publish(String(data=next(stations)))
+            rclpy.spin_once(node, timeout_sec=0.5)
+    """),
+    Alternative('sleeps_in_a_loop', old="""
+        node.create_timer(0.5, lambda: publisher.publish(String(data=next(stations))))
+        rclpy.spin(node)
+    """, new="""
+        import time
+        while rclpy.ok():
+            publisher.publish(String(data=next(stations)))
+            time.sleep(0.5)
+    """),
+    Alternative('a_rate_and_a_thread', old="""
+        node.create_timer(0.5, lambda: publisher.publish(String(data=next(stations))))
+        rclpy.spin(node)
+    """, new="""
+        import threading
+        threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+        rate = node.create_rate(2)
+        while rclpy.ok():
+            publisher.publish(String(data=next(stations)))
+            rate.sleep()
+    """),
+    Alternative('takes_no_arguments', edits=(
+        ('rclpy.init()', 'rclpy.init(args=[])'),
+        ("create_node('announce')", "create_node('announce', start_parameter_services=False)"),
+    )),
 ]

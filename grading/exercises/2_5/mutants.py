@@ -177,4 +177,10 @@ MUTANTS = [
     Mutant('in_the_order_of_a_set', old=NAMES, new='cycle(set(file.read_text().split()))', expect='expected', breaks='announce'),
     Mutant('no_route_of_one', old=PRINT, new=f"print('usage: route A B ...') if len(sys.argv) < 3 else {PRINT}",
            expect='expected', breaks='route'),
+    Mutant('too_seldom_by_little', old='create_timer(0.5,', new='create_timer(0.6,', breaks='announce',
+           expect='a name every 0.6 s, expected every 0.5 s'),
+    Mutant('three_names_in_two_seconds', old='create_timer(0.5,', new='create_timer(2 / 3,', breaks='announce',
+           expect='a name every 0.7 s, expected every 0.5 s'),
+    Mutant('five_names_in_two_seconds', old='create_timer(0.5,', new='create_timer(0.4,', breaks='announce',
+           expect='a name every 0.4 s, expected every 0.5 s'),
 ]

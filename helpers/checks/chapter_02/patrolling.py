@@ -6,16 +6,21 @@ All of it is data here: the files are written into a workspace in a place of its
 import ast
 import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import PurePosixPath
 from random import SystemRandom
 
+from rcl_interfaces.srv import GetParameters
 from rclpy.qos import QoSProfile, ReliabilityPolicy
+from rclpy.task import Future
+from rclpy.time import Time
+from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 
 from helpers.checks.chapter_02 import builds
 from helpers.kernel.nodes import UNKNOWN
 from helpers.runner import about, broken, disguise, expect, explanations, imports
+from helpers.runner.fork_client import Task
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
 from helpers.runner.workspaces import ExerciseWorkspace
@@ -31,6 +36,10 @@ HEARD = 10.0  # s, until the names have come
 _NO_TESTS = 5  # the status of pytest if it finds none
 SLOW, FAST = 0.9, 0.35  # s between two names: the shortest pause must be below the one, the mean above the other
 AT_ONCE = 0.02  # s: two names so near to each other come from one call; calls of a timer are so near by chance only
+TICK, TICKS = 0.1, 100  # s of simulated time from one message on /clock to the next one; how many at most
+ANSWERED, ASKED = 1.0, 8  # s, until a node has answered that is asked for a parameter; how often it is asked
+NAMES = 11  # so many names tell the period
+PERIODS = 0.45, 0.55  # s, in simulated time: a name may be heard one tick late
 _ALWAYS = 'ament_index_python', 'rclpy', 'std_msgs'
 
 _CALL = """\
@@ -307,17 +316,23 @@ def judge_announce(learner, stations: list[str]) -> None:
     with about('announce'):
         _there(workspace, 'announce')
         # Many editors leave out the last end of a line. The order of a set is right in one of two orders at most.
-        for order, end in ((stations, '\n'), (stations[::-1], '')):
-            _judge_node(learner, workspace, order, end)
+        _judge_node(learner, workspace, stations, '\n')
+        if not _judge_period(learner, workspace, stations[::-1], ''):
+            _judge_node(learner, workspace, stations[::-1], '')
+
+
+def _announced(workspace: ExerciseWorkspace, stations: list[str], end: str, *arguments: str) -> Task:
+    """The program, started with these names in the installed file, the last of which is followed by `end`."""
+    # Not in the folder of the workspace: a path that begins there leads to the sources.
+    command = 'printf %s "$1" > "$2" && cd /tmp && exec ros2 run patrol announce "${@:3}"'
+    given = '\n'.join(stations) + end, f'install/{SHARED}', *arguments
+    same_sets = {'PYTHONHASHSEED': '1'}  # each set of these names has the same order each time
+    return workspace.start('bash', '-c', command, 'bash', *given, environment=same_sets)
 
 
 def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str], end: str) -> None:
-    """The node with these names in the installed file, the last of which is followed by `end`."""
-    # Not in the folder of the workspace: a path that begins there leads to the sources.
-    command = 'printf %s "$1" > "$2" && cd /tmp && exec ros2 run patrol announce'
-    text = '\n'.join(stations) + end
-    same_sets = {'PYTHONHASHSEED': '1'}  # each set of these names has the same order each time
-    task = workspace.start('bash', '-c', command, 'bash', text, f'install/{SHARED}', environment=same_sets)
+    """The node, its topic, and the names on it, with these stations in the file."""
+    task = _announced(workspace, stations, end)
     with Observer(learner) as observer:
         names, stamps = [], []
         _until(observer, observer.nodes, task, TIMEOUT)
@@ -351,16 +366,12 @@ def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str], end:
             info.node_name in ('announce', UNKNOWN),
             f'The node {info.node_name} publishes on /next_station, expected the node announce.',
         )
-        reliable = info.qos_profile.reliability != ReliabilityPolicy.BEST_EFFORT
-        qos = QoSProfile(
-            depth=10, reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT
-        )
 
         def heard(message, info: dict) -> None:
             names.append(message.data)
             stamps.append(info['source_timestamp'] / 1e9)  # when it was sent: it may arrive late on a busy machine
 
-        observer.node.create_subscription(String, '/next_station', heard, qos)
+        observer.node.create_subscription(String, '/next_station', heard, _fitting(info))
         wanted = len(stations) + 2
         enough = _until(observer, lambda: len(names) >= wanted, task, HEARD)
         if not enough and task.wait(0) is not None:
@@ -369,6 +380,78 @@ def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str], end:
     expect(names, f'In {HEARD:g} s nothing came on /next_station. Is the node spun, and has its timer a callback?')
     _judge_names(names[:wanted], stations)
     _judge_rate(stamps, enough)
+
+
+def _fitting(info) -> QoSProfile:
+    """The QoS that gets all from this publisher."""
+    reliable = info.qos_profile.reliability != ReliabilityPolicy.BEST_EFFORT
+    return QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT)
+
+
+def _judge_period(learner, workspace: ExerciseWorkspace, stations: list[str], end: str) -> bool:
+    """In simulated time: the names, and exactly the time between two. False if the program has another time.
+
+    A program may wait without a timer of its node, or leave out the arguments for ROS; then it says when it is called.
+    """
+    task = _announced(workspace, stations, end, '--ros-args', '-p', 'use_sim_time:=true')
+    names: list[str] = []
+    times: list[float] = []
+    try:
+        with Observer(learner) as observer:
+            if not _simulated(observer, task, names, times):
+                return False
+            far = len(times) > 1 and (times[-1] - times[0]) / (len(times) - 1)
+            right = far and PERIODS[0] < far < PERIODS[1]
+            if not right:
+                observer.until(lambda: False, MATCHED / 8, task)
+                came = len(names)
+                # While the clock stands still, two names come only from a program that does not wait for it.
+                if _until(observer, lambda: len(names) > came + 1, task, MATCHED) or task.wait(0) is not None:
+                    return False
+    finally:
+        task.end()
+    _judge_names(names, stations)
+    expect(
+        right,
+        f'The node publishes a name every {far:.1f} s, expected every 0.5 s, which is twice a second. The first '
+        'argument of create_timer is a period in seconds, not a rate.'
+        if far
+        else f'In {TICKS * TICK:g} s {len(names)} names came, expected one every 0.5 s.',
+    )
+    return True
+
+
+def _simulated(observer: Observer, task: Task, names: list[str], times: list[float]) -> bool:
+    """Let simulated time pass, and note the names with their times (s). False if the node does not follow."""
+    node, now = observer.node, 0
+    clock = node.create_publisher(Clock, '/clock', 10)
+    ask = node.create_client(GetParameters, '/announce/get_parameters')
+
+    def follows():
+        clocks = node.get_subscriptions_info_by_topic('/clock')
+        there = any(info.node_name in ('announce', UNKNOWN) for info in clocks) and ask.service_is_ready()
+        return there and node.get_publishers_info_by_topic('/next_station')
+
+    if not (_until(observer, follows, task, MATCHED) and (publishers := follows())):
+        return False
+
+    def heard(message) -> None:
+        names.append(message.data)
+        times.append(now * TICK)
+
+    def answers() -> Iterator[Future]:
+        for _ in range(ASKED):
+            clock.publish(Clock(clock=Time(nanoseconds=round(now * TICK * 1e9)).to_msg()))
+            yield ask.call_async(GetParameters.Request(names=['use_sim_time']))
+
+    node.create_subscription(String, '/next_station', heard, _fitting(publishers[0]))
+    while len(names) < NAMES and now < TICKS:
+        now += 1
+        # A node that answers has had its turn since the clock went on: so it is never far behind. It is asked again, as
+        # an answer may get lost while the two meet.
+        if not any(observer.until(answer.done, ANSWERED, task) for answer in answers()):
+            return False
+    return True
 
 
 def _judge_rate(stamps: list[float], all_came: bool) -> None:
