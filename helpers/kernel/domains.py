@@ -28,8 +28,8 @@ _held: list[FileLock] = []  # by `hold`
 
 
 @contextmanager
-def claim() -> Iterator[int]:
-    """Hold a free ROS domain id from 1 to 101 for the duration of the block, and return it.
+def claim(highest: bool = False) -> Iterator[int]:
+    """Hold a free ROS domain id from 1 to 101 for the duration of the block, and return it: the lowest, or the highest.
 
     No other block of any process or user holds the same id at that time. An id in which no program communicates is
     preferred. The environment is not changed: set ``ROS_DOMAIN_ID`` or pass the id to ``helpers.ros.start``.
@@ -38,7 +38,8 @@ def claim() -> Iterator[int]:
     """
     folder, taken = _folder(), _spoken_in()
     kept = {int(path.stem) for path in folder.glob('*.copy') if path.stem.isdecimal()}
-    for domain_id in sorted(range(FIRST, LAST + 1), key=lambda one: (one in taken, one in kept)):
+    every = range(LAST, FIRST - 1, -1) if highest else range(FIRST, LAST + 1)
+    for domain_id in sorted(every, key=lambda one: (one in taken, one in kept)):
         lock = FileLock(folder / f'{domain_id}.lock', mode=0o666, timeout=0, thread_local=False)
         try:
             lock.acquire()

@@ -147,7 +147,7 @@ class Bridge(Node):
         """, expect='all of them listen at the same time', breaks='in-time'),
     Mutant('says_nothing_twice', old="(String, 'chatter', self.publisher.publish, 10)",
            new="(String, 'chatter', lambda msg, said=['']: msg.data == said[-1] or said.append(msg.data) or "
-               'self.publisher.publish(msg), 10)', expect='in the other domain came', breaks='carries'),
+               'self.publisher.publish(msg), 10)', expect='for the second time, and in the other domain came', breaks='carries'),
     Mutant('sorted_as_texts', old='return sorted(heard)', new='return sorted(heard, key=str)', expect='and not as texts',
            breaks='sorted'),
     Mutant('one_far_side', edits=(('self.publisher = self.other_side', 'Bridge.out = self.other_side'),
@@ -178,4 +178,10 @@ class Bridge(Node):
     Mutant('best_effort_there', old="self.other_side.create_publisher(String, 'chatter', 10)",
            new="self.other_side.create_publisher(String, 'chatter', qos_profile_sensor_data)",
            imports='from rclpy.qos import qos_profile_sensor_data', expect='BEST_EFFORT', breaks='carries'),
+    Mutant('no_empty_texts', old="(String, 'chatter', self.publisher.publish, 10)",
+           new="(String, 'chatter', lambda msg: msg.data and self.publisher.publish(msg), 10)",
+           expect="was '', an empty one, and in the other domain came only the ones after it", breaks='carries'),
+    Mutant('private_topic_there', old="self.other_side.create_publisher(String, 'chatter',",
+           new="self.other_side.create_publisher(String, '~/chatter',", expect='Your node there publishes on',
+           breaks='carries'),
 ]
