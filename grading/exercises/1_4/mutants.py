@@ -115,4 +115,6 @@ MUTANTS = [
                                      if not GoToGoal.arrived:
                                      ''')),
            expect='A second object of your class, in another namespace, drove', breaks='reach'),
+    Mutant('near_in_each_direction', old='if distance > 0.05:', new='if max(abs(dx), abs(dy)) > 0.099:',
+           expect='and must come to 0.1 m and stay', breaks='reach', also=ALL),
 ]

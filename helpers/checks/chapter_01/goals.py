@@ -51,6 +51,14 @@ class Drive:
         sim = TurtleSim(self.learner, *self.start, namespace=f'{self.space}/second')
         with about('reach'):
             sim.run(AT_MOST, until=lambda: sim.distance(*goal) < WITHIN)
+        place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f})'
+        # Who shares something with the other object does not come so near to a goal of its own.
+        expect(
+            not WITHIN <= sim.distance(*goal) < NEAR,
+            f'From ({self.start[0]:.1f}, {self.start[1]:.1f}) to ({goal[0]:.1f}, {goal[1]:.1f}): after {AT_MOST:g} s '
+            f'the turtle is {_far(sim.distance(*goal))} away, at {place}. It must come to {WITHIN:g} m of the goal.',
+            'reach',
+        )
         expect(
             sim.distance(*goal) < WITHIN,
             'A second object of your class, in another namespace, drove its turtle after the first one had come to its '
@@ -141,8 +149,8 @@ class Drive:
         )
         expect(
             sim.distance(*self.goal) < WITHIN,
-            f'{self.way}after {AT_MOST:g} s the turtle is '
-            f'{sim.distance(*self.goal):.2f} m away, at {place}. It came to {nearest:.2f} m of the goal.',
+            f'{self.way}after {AT_MOST:g} s the turtle is {_far(sim.distance(*self.goal))} away, at {place}. It came '
+            f'to {_far(nearest)} of the goal, and must come to {WITHIN:g} m and stay.',
             'reach',
         )
         expect(
@@ -260,6 +268,11 @@ class Drive:
             f'{last.angular.z:.2f}. Publish a command of zero there.',
             'stop',
         )
+
+
+def _far(metres: float) -> str:
+    """A distance, in millimetres where centimetres would not show on which side of the limit it is."""
+    return f'{metres:.3f} m' if abs(metres - WITHIN) < 0.01 else f'{metres:.2f} m'
 
 
 def far_places(random: Random):
