@@ -7,11 +7,15 @@ import csv
 import hashlib
 import hmac
 import io
+import re
 import secrets
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from environment.setup import whole_file
+from grading.submission import is_notebook
+from grading.unit import Unit
 
 
 class AnonymousError(Exception):
@@ -67,3 +71,28 @@ def sealed(text: str, output: Path) -> str:
 def pseudonym(learner: str, salt: bytes) -> str:
     """The pseudonym of one learner: 10 hexadecimal digits."""
     return 'learner-' + hmac.new(salt, learner.encode(), hashlib.sha256).hexdigest()[:10]
+
+
+def without_names(unit: Unit) -> Unit:
+    """The work with other names for notebooks that are not called as the course's: learners write theirs into them,
+    and a message may tell what a file is called.
+    """
+    known = {exercise.notebook for exercise in unit.course.exercises}
+    own = sorted(name for name in {*unit.files, *unit.unusable} - known if is_notebook(name))
+    # What a name begins with says to which chapter it belongs.
+    others = {
+        name: f'{name[:3] if re.match("[0-9]{2}_", name) else ""}notebook-{number}.ipynb'
+        for number, name in enumerate(own, 1)
+    }
+
+    def told(text: str) -> str:
+        for name in sorted(others, key=len, reverse=True):
+            text = text.replace(name, others[name])
+        return text
+
+    return replace(
+        unit,
+        files={others.get(name, name): data for name, data in unit.files.items()},
+        unusable={others.get(name, name): told(why) for name, why in unit.unusable.items()},
+        problem=told(unit.problem),
+    )

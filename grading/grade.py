@@ -237,6 +237,8 @@ class _Run:
                 self._keep(self._judged(made.previous), fresh=False)
         processes = max(1, executor.jobs // max(1, len(todo)))
         work = {learner: made.unit(self.course, processes) for learner, made in todo.items()}
+        if self.settings.anonymous:
+            work = {learner: anonymous.without_names(one) for learner, one in work.items()}
         try:
             for learner, outcome in parallel.perform(work, executor, self.listener.tested):
                 self._keep(self._made(todo[learner], outcome), fresh=True)

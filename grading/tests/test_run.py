@@ -11,7 +11,7 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
-from grading import folder, grade, late, parallel, unit
+from grading import anonymous, folder, grade, late, parallel, unit
 from grading.adjustments import Adjustment, AdjustmentError
 from grading.choice import ChoiceError
 from grading.record import Record
@@ -276,6 +276,24 @@ def test_a_mark_by_hand_closes_what_a_fault_left_open(course, tmp_path, monkeypa
     assert run(course, tmp_path / 'out', 'ada')[1]['ada'].score is None
 
 
+def test_names_of_notebooks_tell_no_learner(course):
+    """A notebook that is handed in alone is called as its learner, and messages say how a file is called."""
+    files = {small.NOTEBOOK: b'1', 'jane doe.ipynb': b'2', '90_jane.ipynb': b'3', 'my_ws/src/patrol/jane.py': b'4'}
+    unusable = {
+        'jane.ipynb': 'There are two notebooks called jane.ipynb: hand in one.',
+        small.NOTEBOOK: f'{small.NOTEBOOK} is larger than 10 MB',
+        'jane.ipynb.ipynb': 'jane.ipynb.ipynb is larger than 10 MB, as jane.ipynb is',
+    }
+    work = unit.Unit(files, '', unusable, course, course.digest, (), 's')
+    found = anonymous.without_names(work)
+    assert list(found.files.values()) == list(files.values())
+    assert 'jane' not in f'{found.unusable}' and small.NOTEBOOK in found.files
+    assert found.unusable[small.NOTEBOOK] == unusable[small.NOTEBOOK]
+    assert [name[:3] for name in found.files] == ['90_', 'not', '90_', 'my_']
+    assert len(found.files) == 4 and len(found.unusable) == 3
+    assert 'my_ws/src/patrol/jane.py' in found.files  # its path is part of the answer
+
+
 def test_anonymous(course, tmp_path):
     """No id and no file's name in the results; the map is beside them, for the instructor only."""
     output = tmp_path / 'out'
@@ -284,7 +302,8 @@ def test_anonymous(course, tmp_path):
         Submission(
             name,
             tmp_path / f'submission-{name}.zip',
-            {small.NOTEBOOK: number.encode()},
+            {small.NOTEBOOK: number.encode(), f'{name}.ipynb': b'{'},
+            unusable={f'{name} 2.ipynb': f'{name} 2.ipynb is larger than 10 MB'},
             handed_in='2026-11-01T10:00:00Z',
             notes=[f'adalovelace and "bob": {name}'],
         )
