@@ -16,6 +16,7 @@ from pathlib import Path
 from environment.setup import whole_file
 from grading.record import Record
 from grading.reports import gradescope
+from grading.submission import written
 from helpers import paths
 from helpers.exercises import packages
 
@@ -94,9 +95,10 @@ def pack(folder: Path, archive: Path) -> None:
     if not found and len(packed) == 1:
         archive.write_bytes(packed[0].read_bytes())
         return
-    with zipfile.ZipFile(archive, 'w', zipfile.ZIP_DEFLATED) as target:
+    # Names and dates are the learner's: what a zip cannot hold is not to end this.
+    with zipfile.ZipFile(archive, 'w', zipfile.ZIP_DEFLATED, strict_timestamps=False) as target:
         for path in [*found[:MAX_NOTEBOOKS], *_of_packages(folder)]:
-            target.write(path, path.relative_to(folder).as_posix())
+            target.write(path, written(path.relative_to(folder).as_posix()))
 
 
 def _notebooks(folder: Path, pattern: str) -> list[Path]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from grading import release, similarity
+from grading import release, similarity, submission
 from grading.gradescope import bundle, harness
 from grading.reports import gradescope
 from grading.tests.test_reports import validate
@@ -233,6 +233,19 @@ def test_what_is_packed(tmp_path, files, packed):
     harness.pack(folder, tmp_path / 'x.zip')
     with zipfile.ZipFile(tmp_path / 'x.zip') as archive:
         assert archive.namelist() == (packed or [CHAPTER])
+
+
+@pytest.mark.parametrize('seconds', [0, -1e9, 7.3e9], ids=['1970', '1938', '2201'])
+def test_names_and_dates_that_no_zip_can_hold(tmp_path, seconds):
+    """They are the learner's, and would leave the mark open."""
+    folder = tmp_path / 'submission'
+    (folder / 'my_ws' / 'src' / 'patrol').mkdir(parents=True)
+    for name in (CHAPTER, '\udcff.ipynb', 'my_ws/src/patrol/\udcff.py'):
+        (folder / name).write_bytes(small.solved())
+        os.utime(folder / name, (seconds, seconds))
+    harness.pack(folder, tmp_path / 'x.zip')
+    found = submission.read(tmp_path / 'x.zip')
+    assert not found.problem and found.files[CHAPTER] == small.solved() and len(found.files) == 3
 
 
 @pytest.mark.parametrize(
