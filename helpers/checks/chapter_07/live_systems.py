@@ -97,7 +97,7 @@ def answer(learner) -> Answer:
         learner.end_calls()
     who, findings, changes = cache['live answer']
     expect(
-        isinstance(who, str) and key(who) not in ('', EXAMPLE),
+        isinstance(who, str) and key(who) not in ('', EXAMPLE) and who.encode('utf-8', 'ignore').decode() == who,
         f'NAME is {who!r}: write your own name. The systems are drawn from it, so that they are yours.',
         'name',
     )
@@ -205,7 +205,9 @@ def judge_repair(learner, number: int, panel_first: bool = False) -> None:
     expect(mine.answered(number), _open(number), 'repaired')
     named = {where for _, where, _, _ in mine.findings.get(number, [])}
     changes = mine.changes.get(number, [])
-    others = [one[0] for one in changes if isinstance(one, list) and one and one[0] not in named]
+    # What is no change is told where it is made.
+    files_of = [one[0] for one in changes if isinstance(one, list) and one and isinstance(one[0], str)]
+    others = [name for name in files_of if name not in named]
     files = list(Planned(mine.who, number).files)
     absent = [name for name in others if name not in files]
     expect(

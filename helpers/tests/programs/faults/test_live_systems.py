@@ -4,6 +4,7 @@ import itertools
 import json
 import re
 import sys
+from types import SimpleNamespace
 
 import pytest
 
@@ -27,6 +28,7 @@ from helpers.programs.faults.live import (
     way,
 )
 from helpers.runner.results import ExerciseResult, TestResult
+from helpers.runner.verdicts import ExpectationFailed
 
 MODULE = sys.modules['helpers.programs.faults.live']  # `faults.live` is the function
 
@@ -90,6 +92,36 @@ def test_the_evidence_of_the_truth_would_be_accepted():
         for one in itertools.chain(*(Planned(who, number).drawn.values() for number in NUMBERS)):
             assert live_systems.shows(one, one.evidence), one
             assert not live_systems.shows(one, 'it must be the network'), one
+
+
+ODD = (
+    [],
+    {},
+    None,
+    5,
+    [[]],
+    ['start.txt', 5, None],
+    [[], 'a', 'b'],
+    [{}, 'a', 'b'],
+    [None],
+    '\ud800',
+    ['\ud800', '', ''],
+)
+
+
+@pytest.mark.parametrize('odd', ODD, ids=range(len(ODD)))
+def test_an_answer_of_another_form_is_told_and_breaks_no_test(odd, monkeypatch):
+    """As changes, as findings, and as the name."""
+    monkeypatch.setattr(live_systems, 'run', lambda learner, who, answers, first: dict.fromkeys(answers, 'no change'))
+    for name in ('NAME', 'FINDINGS', 'CHANGES'):
+        answer = {'NAME': 'Ada', 'FINDINGS': {}, 'CHANGES': {}}
+        answer[name] = odd if name == 'NAME' else {1: [odd]}
+        for judge in (live_systems.judge_findings, live_systems.judge_repair):
+            learner = SimpleNamespace(
+                server=SimpleNamespace(workspaces={}), value=answer.__getitem__, end_calls=lambda: None
+            )
+            with pytest.raises(ExpectationFailed):
+                live_systems.judge_all(learner, judge)
 
 
 def test_a_repair_as_changes_is_the_repair():
