@@ -8,7 +8,7 @@ from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
 from helpers.checks.chapter_03.endpoints import check_lifespan
-from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn, check_own_topic, fill_others
+from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn, check_own_topic, check_unheard, fill_others
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
@@ -181,6 +181,7 @@ def test_latched(learner):
         'latched',
     )
     learner.run(61.0, step=10.0)
+    check_unheard(learner, info(fx=learner.random.uniform(100.0, 900.0)))
     expect(len(heard) == 3, f'Three calibrations were set, and {len(heard)} messages came in a minute.', 'publish')
 
 

@@ -164,4 +164,7 @@ MUTANTS = [
            expect='without rounding'),
     Mutant('point_in_whole_pixels', breaks='principal-point', also='nan', old='0 <= k[5] <= info.height',
            new='abs(k[5]) < inf and 0 <= int(k[5]) <= info.height', expect='[5] ='),
+    Mutant('only_for_those_who_listen', old='if response.success:',
+           new='if response.success and self.publisher.get_subscription_count():',
+           expect='accepted while nobody listened', breaks='latched'),
 ]

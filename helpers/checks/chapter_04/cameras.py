@@ -202,3 +202,24 @@ def check_own_topic(learner, node, client, heard, info: CameraInfo) -> None:
         client.call(camera_info=info)
     story = 'The first one accepted a calibration'
     check_own('Camera', story, len(heard), len(others), 'camera_info', 'publisher', 'publish')
+
+
+def check_unheard(learner, info: CameraInfo, node=None) -> None:
+    """A calibration that is accepted while nobody listens reaches a program that starts later.
+
+    :param node: the camera in whose program another one is made, which nobody has listened to.
+    """
+    space = '/unheard'
+    learner.start('Camera', beside=node, remap={'__ns': space})
+    client = learner.client(f'{space}/set_camera_info', SetCameraInfo)
+    with about('latched'):
+        learner.settle()
+        client.call(camera_info=info)
+        late = learner.late_listener(f'{space}/camera_info', CameraInfo)
+    expect(
+        late.messages == [info],
+        f'A calibration was accepted while nobody listened, and a program that starts later gets {len(late)} '
+        'calibrations, expected this one. Publish it also if nobody listens: TRANSIENT_LOCAL keeps it for those who '
+        'come.',
+        'latched',
+    )

@@ -8,7 +8,14 @@ from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
 from helpers.checks.chapter_03.endpoints import check_lifespan
-from helpers.checks.chapter_04.cameras import HINTS, OTHER_MODELS, check_drawn, check_own_topic, fill_others
+from helpers.checks.chapter_04.cameras import (
+    HINTS,
+    OTHER_MODELS,
+    check_drawn,
+    check_own_topic,
+    check_unheard,
+    fill_others,
+)
 from helpers.checks.chapter_04.names import check_names
 from helpers.runner import about, expect
 
@@ -202,6 +209,7 @@ def test_published(learner):
     expect(len(heard) == 3, 'With no new calibration, camera_info was published again.', 'publish')
     _listen_late(learner, heard.topic, last)
     check_own_topic(learner, node, client, heard, some.info())
+    check_unheard(learner, some.info(), node)
 
 
 def _start(learner, space):
