@@ -161,4 +161,16 @@ def above(parents, frame, other):
         t.transform.rotation.z, t.transform.rotation.w = 0.0, 1.0
     return transforms
 ''', breaks='kept', also='nothing', expect='The numbers and the stamps'),
+    Mutant('time_zero_is_no_time', old='if frame in newest and', new='if newest.get(frame) and',
+           expect='You did not find `no_transform`, cause `old`', breaks='old'),
+    Mutant('no_slashes', old='transforms = copy.deepcopy(transforms)', new="""
+        transforms = copy.deepcopy(transforms)
+        for t in transforms:
+            t.header.frame_id, t.child_frame_id = t.header.frame_id.lstrip('/'), t.child_frame_id.lstrip('/')
+        """, expect='letter by letter', breaks='kept'),
+    Mutant('nothing_of_nothing', old='transforms = copy.deepcopy(transforms)', new="""
+        transforms = copy.deepcopy(transforms)
+        if not transforms:
+            return None
+        """, expect='repair_tf got an empty list', breaks='kept'),
 ]

@@ -173,7 +173,7 @@ class Tree:
     def diagnose(self, learner, expected: list[tuple] | None = None, rule: str = '', transforms=None) -> None:
         """Ask the learner's diagnose_tf, by default about this tree, and fail with words if it finds anything else."""
         moving, static = transforms or (self.moving, self.static)
-        edges = [sorted({' → '.join(_names_of(one)) for one in part}) for part in (moving, static)]
+        edges = [sorted({' → '.join(names_of(one)) for one in part}) for part in (moving, static)]
         given = (
             f'Asked for {self.source} in {self.target}, now = {self.now}.\nmoving: {", ".join(edges[0])}\n'
             f'static: {", ".join(edges[1])}'
@@ -243,7 +243,7 @@ class Tree:
     def _check_names(self, repaired) -> None:
         """Fail with words if a transform has not the names with which it should have been published."""
         for before, after in zip([*self.moving, *self.static], [*repaired[0], *repaired[1]], strict=True):
-            was, now, right = _names_of(before), _names_of(after), self._names[id(before)]
+            was, now, right = names_of(before), names_of(after), self._names[id(before)]
             what = f'After your repair, the transform {" → ".join(was)} is {" → ".join(now)}, expected '
             if was == right:
                 expect(now == right, f'{what}no change: only the wrong frame gets another name.', 'kept')
@@ -408,7 +408,7 @@ def judge_rare_trees(learner) -> None:
                 [('no_transform', 'boot', 'not connected', meant)],
                 WHY,
                 'not-connected',
-                f'static: {", ".join(" → ".join(_names_of(one)) for one in static + more)}',
+                f'static: {", ".join(" → ".join(names_of(one)) for one in static + more)}',
             )
     frame = random.choice(chain[3:])
     exchanged = [*static, _transform('lamp', frame, [0.1, 0.0, 0.0], 0.0)]
@@ -419,8 +419,9 @@ def judge_rare_trees(learner) -> None:
             [('no_transform', frame, 'two parents', 'lamp')],
             WHY,
             'two-parents',
-            f'Nothing moves. static: {", ".join(" → ".join(_names_of(one)) for one in exchanged)}',
+            f'Nothing moves. static: {", ".join(" → ".join(names_of(one)) for one in exchanged)}',
         )
+    _judge_time_zero(learner, source)
     begin = random.randint(1000, 9000)
     for age, rule in ((1.03, 'old'), (1.0, 'old'), (random.randint(120, 99990) / 10, 'old'), (1.52, 'newest')):
         stamp, back = begin + random.choice([0.05, 0.0625]), random.choice([0.25, 0.5])  # which are exact, or nearly
@@ -439,10 +440,24 @@ def judge_rare_trees(learner) -> None:
             )
 
 
+def _judge_time_zero(learner, source: str) -> None:
+    """The rule `old`, where the newest stamp is 0.0, as in a simulation that has just begun."""
+    now = round(learner.random.uniform(2.0, 9.0), 1)
+    with about('old'):
+        compare(
+            learner.call('diagnose_tf', [_transform('map', source, [0.1, 0.0, 0.0], 0.0)], [], 'map', source, now),
+            [('no_transform', source, 'old', f'{now:.1f}')],
+            WHY,
+            'old',
+            f'now = {now}, and the stamp of map → {source}, which came on /tf, is 0.0: the time of a simulation begins '
+            'there.',
+        )
+
+
 def judge_names(learner) -> None:
     """A frame gets another name, and no frame whose name is like that: rule `kept`."""
     wrong, right = learner.random.sample(_SENSORS, 2)
-    like = [wrong.upper(), wrong.capitalize(), f'{wrong}_2', f'front_{wrong}', f'robot/{wrong}']
+    like = [wrong.upper(), wrong.capitalize(), f'{wrong}_2', f'front_{wrong}', f'robot/{wrong}', f'/{wrong}']
     for where, cause, evidence in ((right, 'unknown', wrong), (wrong, 'not connected', right)):
         names = [(wrong, 'lens'), ('mast', wrong), *((one, f'lens{number}') for number, one in enumerate(like))]
         given = [_transform(*pair, [0.1, 0.0, 0.0], 1.5) for pair in names]
@@ -450,7 +465,7 @@ def judge_names(learner) -> None:
             after = learner.call('repair_finding', given, ['no_transform', where, cause, evidence])
         fits = isinstance(after, list) and all(isinstance(one, TransformStamped) for one in after)
         expect(fits and len(after) == len(given), 'repair_tf must return a list of as many TransformStamped.', 'kept')
-        for before, now in zip(names, map(_names_of, after), strict=True):
+        for before, now in zip(names, map(names_of, after), strict=True):
             wanted = tuple(right if name == wrong else name for name in before)
             expect(
                 now == wanted,
@@ -458,6 +473,12 @@ def judge_names(learner) -> None:
                 f'{" → ".join(before)} is {" → ".join(now)}, expected {" → ".join(wanted)}.',
                 'repaired' if before != wanted else 'kept',
             )
+        nothing = learner.call('repair_finding', [], ['no_transform', where, cause, evidence])
+        expect(
+            nothing == [],
+            f'Nothing came on one of the topics: repair_tf got an empty list and returned {nothing!r}, expected [].',
+            'kept',
+        )
 
 
 def _transform(parent: str, child: str, numbers, stamp: float) -> TransformStamped:
@@ -468,6 +489,6 @@ def _transform(parent: str, child: str, numbers, stamp: float) -> TransformStamp
     return made
 
 
-def _names_of(transform: TransformStamped) -> tuple[str, str]:
+def names_of(transform: TransformStamped) -> tuple[str, str]:
     """Its parent and its child."""
     return transform.header.frame_id, transform.child_frame_id
