@@ -9,6 +9,7 @@ from helpers.checks.chapter_07.cases import (
     Case,
     everything,
     judge_one_round,
+    judge_one_round_of_frames,
     judge_single_repairs,
     named,
 )
@@ -142,6 +143,7 @@ def test_repaired_frames(learner):
 
     repair_tf for both lists, and repair_model.
     """
+    judge_one_round_of_frames(learner)
     for causes, moves in (
         (['unknown'], None),
         (['two parents'], True),

@@ -53,7 +53,7 @@ MUTANTS = [
            expect='After your repair', **REPAIR),
     Mutant('static_only', old="'moving', 'static')", new="'static',)", breaks='transforms', also='hidden',
            expect='tf2', **REPAIR),
-    Mutant('repairs_until_nothing_is_new', breaks='endpoints', expect='is left for the next round', edits=(
+    Mutant('repairs_until_nothing_is_new', breaks='endpoints', also='transforms', expect='is left for the next round', edits=(
         ('def repair_case(case):', 'def one_round(case):'), ('case = repair_case(case)', 'case = one_round(case)'),
         ('def triage(case):', """
 def repair_case(case):
@@ -82,4 +82,24 @@ def triage(case):
         if finding.fault == 'no_transform':
 ''', breaks='new-case', expect="has changed 'now' of the case",
            also=('files', 'endpoints', 'transforms', 'hidden', 'every-part'), **REPAIR),
+    Mutant('offers_what_is_asked_for', old=GRAPH, new="""
+        if finding.cause in ('reliability', 'durability'):
+            name = finding.where.split()[1]
+            case['endpoints'] = [
+                {**end, finding.cause: {'reliability': 'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}[finding.cause]}
+                if (end['role'], end['name']) == ('publisher', name) else end for end in case['endpoints']]
+        else:
+            case['endpoints'] = with_arguments(case['endpoints'], finding, repair_graph(finding))
+        """, breaks='endpoints', also='hidden', expect='all others stay as they were', **REPAIR),
+    Mutant('all_ask_for_less', old='    return case\n', new="""
+    case['endpoints'] = [{**end, 'reliability': 'BEST_EFFORT', 'durability': 'VOLATILE'}
+                         if end['role'] == 'subscription' else end for end in case['endpoints']]
+    return case
+""", breaks='endpoints', also=('hidden', 'every-part'), expect='all others stay as they were', **REPAIR),
+    Mutant('frames_until_nothing_is_new', old='    return case\n', new="""
+    for _ in range(6):
+        for finding in diagnose_tf(*[case[key] for key in ('moving', 'static', 'target', 'source', 'now')]):
+            case |= {key: repair_tf(case[key], finding) for key in ('moving', 'static')}
+    return case
+""", breaks='transforms', also='hidden', expect='is left for the next round', **REPAIR),
 ]

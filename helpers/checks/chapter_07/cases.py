@@ -36,6 +36,7 @@ REPAIRED = {
     'frames': ('unknown', 'two parents', 'not connected'),
     'graph': ('name', 'reliability', 'durability', 'both', 'service name', 'description durability'),
 }
+_OF_GRAPHS = ('no_data', 'waiting', 'no_model')
 _ENDPOINTS = 'repair_case must keep all endpoints, as a list of dictionaries.'
 _STAYS = ('note', 'want', 'stacks', 'programs', 'target', 'source', 'now')  # what no tool repairs
 # Faults of frames of which each hides the next one.
@@ -170,6 +171,27 @@ class Case:
                     if end['role'] == 'subscription'
                 )
                 expect(heard, f'After your repair, {end["node"]} is still deaf on {end["name"]}.', 'endpoints')
+        self._check_others(endpoints)
+
+    def _check_others(self, endpoints: list[dict]) -> None:
+        """Fail with words if an endpoint is not as it is when the nodes of the findings were started again."""
+        wanted = [dict(end) for end in self.case['endpoints']]
+        for fault, where, cause, evidence in self.expected:
+            if fault not in _OF_GRAPHS or cause not in ('name', *graphs.STRONG):
+                continue
+            node, name = where.split()
+            for end in wanted:
+                if (end['node'], end['name']) == (node, name) and end['role'] in ('subscription', 'client'):
+                    end[cause] = evidence
+        wrong = [end for end in endpoints if end not in wanted]
+        missing = [end for end in wanted if end not in endpoints]
+        expect(
+            not wrong and not missing,
+            f'After your repair there is the endpoint {wrong[:1]}, expected {missing[:1]}. A repair starts the nodes '
+            'of the findings again, with your arguments; nothing else about them changes, and all others stay as they '
+            'were.',
+            'endpoints',
+        )
 
 
 def judge_single_repairs(learner) -> None:
@@ -198,6 +220,20 @@ def judge_one_round(learner) -> None:
         f'After one call of repair_case, {node} asks for {mine[0].get(policy)} on {name}. The name was wrong; that the '
         f'{policy} does not fit shows only after that is repaired, and is left for the next round.',
         'endpoints',
+    )
+
+
+def judge_one_round_of_frames(learner) -> None:
+    """The same for frames: what is wrong elsewhere in the tree shows only when the source has its name."""
+    case = Case(learner.random, {'frames': ('unknown', tf_trees.ASIDE)})
+    parts = [case.case['moving'], case.repaired(learner)['moving']]
+    before, after = ([names for names in map(tf_trees.names_of, part) if 'lid' in names] for part in parts)
+    expect(
+        before == after,
+        f'{case.tree.source} was unknown. After one call of repair_case, the transform {" → ".join(before[0])} is '
+        f'{" → ".join(after[0]) if after else "gone"}. That a frame has two parents shows only after the name is '
+        'repaired, and is left for the next round.',
+        'transforms',
     )
 
 

@@ -10,6 +10,7 @@ from helpers.checks.chapter_07.cases import (
     Case,
     everything,
     judge_one_round,
+    judge_one_round_of_frames,
     judge_single_repairs,
     named,
 )
@@ -61,6 +62,7 @@ def test_repair(learner):
         case.check(learner, part, after)
     judge_single_repairs(learner)
     judge_one_round(learner)
+    judge_one_round_of_frames(learner)
     for faults in (('service name', 'both'), ('description durability', 'name')):
         case = Case(random, {'graph': faults})
         case.check(learner, 'graph', case.repaired(learner))
