@@ -419,7 +419,10 @@ def lacks(output: list[str], answer: str = '', begin: float = 0.0, first: int = 
     if not last.value.isdecimal() or int(last.value) < first:
         return 'what the robot measures is not there'
     if not any(_number(line.rate) > ENOUGH for line in shown):
-        return 'the robot publishes less than ten times a second'
+        return (
+            'the panel counts less than ten times a second: the robot publishes too seldom, or a callback of the panel '
+            'waits'
+        )
     if all(_number(line.rate) > TOO_MANY for line in shown):
         return 'the robot publishes more than ten times a second'
     if last.answer == '-' or answer and last.answer != answer:
