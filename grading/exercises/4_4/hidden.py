@@ -3,7 +3,14 @@
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
-from helpers.checks.chapter_04.test_4_4 import Room, check_default, check_own_lock, check_second_guard, people
+from helpers.checks.chapter_04.test_4_4 import (
+    Room,
+    check_default,
+    check_other_room,
+    check_own_lock,
+    check_second_guard,
+    people,
+)
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open', namespace='names')]
@@ -245,6 +252,7 @@ def test_a_guard_counts_for_itself(learner):
     learner.run(0.3)
     expect(told(call) == (True, 'welcome'), f'The lock opened, and enter says {told(call)}.', 'welcome')
     check_second_guard(learner, first, lock, enter, 1)
+    check_other_room(learner, first, lock, enter)
 
 
 @pytest.mark.rules('welcome', 'leave')

@@ -15,6 +15,12 @@ MUTANTS = [
 
          '''), ('self.inside += answer.success', 'DoorGuard.inside += answer.success'),
         (LEAVE, 'DoorGuard.inside = max(0, self.inside - 1)')), expect='Each guard counts for itself'),
+    Mutant('each_guard_empties_all_rooms', breaks='full', edits=(
+        ('self.capacity, self.inside = capacity, 0', '''
+         self.capacity = capacity
+         DoorGuard.inside = 0
+         '''), ('self.inside += answer.success', 'DoorGuard.inside += answer.success'),
+        (LEAVE, 'DoorGuard.inside = max(0, self.inside - 1)')), expect='Each guard counts for itself'),
     Mutant('one_capacity_for_all_guards', breaks='full', edits=(
         ('self.capacity, self.inside = capacity, 0', 'DoorGuard.capacity, self.inside = capacity, 0'),
         ('class DoorGuard(Node):', '''
