@@ -4,6 +4,7 @@ import pytest
 from std_msgs.msg import Bool, Empty, Int32
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic
+from helpers.checks.chapter_03.heartbeats import check_unheard
 from helpers.checks.chapter_03.test_3_3 import press
 from helpers.runner import expect, waiting
 
@@ -49,6 +50,7 @@ def test_exact_times(learner):
         f'A reset came after the uptime {seconds}, and then the uptimes {uptime.data[seconds:]}, expected [1, 2].',
         'reset',
     )
+    check_unheard(learner)
 
 
 @pytest.mark.weight(2)

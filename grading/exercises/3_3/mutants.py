@@ -207,4 +207,14 @@ MUTANTS = [
             if self.seconds < 30:
                 self.seconds = 0
         """, expect='however far it has counted', breaks='reset'),
+    Mutant('counts_for_listeners_only', old='self.seconds += 1', new="""
+        if not self.uptime.get_subscription_count():
+            return
+        self.seconds += 1
+        """, expect='the seconds are counted also if nobody listens', breaks='uptime'),
+    Mutant('blinks_for_listeners_only', old='self.lit = not self.lit', new="""
+        if not self.led.get_subscription_count():
+            return
+        self.lit = not self.lit
+        """, expect='also if nobody listens', breaks='led'),
 ]

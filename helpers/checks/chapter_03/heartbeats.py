@@ -34,3 +34,31 @@ def check_starts(learner) -> None:
             'expected 1.',
             'uptime',
         )
+
+
+def check_unheard(learner) -> None:
+    """A heartbeat that nobody hears blinks and counts all the same: who begins to listen hears that.
+
+    Other tests look at the rhythm; here only what one says who begins anew with its first listener.
+    """
+    space, seconds = '/unheard', learner.random.randint(3, 6)
+    with waiting('no-wait'):
+        learner.start('Heartbeat', remap={'__ns': space})
+        learner.run(seconds + 0.35, step=0.5)  # the next message on led says False
+    led, uptime = (learner.listen(f'{space}/{topic}', kind) for topic, kind in (('led', Bool), ('uptime', Int32)))
+    learner.settle()
+    with waiting('no-wait'):
+        learner.run(0.5)
+        blinked = led.data
+        learner.run(0.5)
+    words = f'Who begins to listen when a heartbeat has run for {seconds + 0.35} s hears '
+    expect(
+        blinked != [True, False],
+        f'{words}True, False on led, expected False, True: the LED changes every 0.25 s, also if nobody listens.',
+        'led',
+    )
+    expect(
+        uptime.data != [1],
+        f'{words}1 on uptime, expected {seconds + 1}: the seconds are counted also if nobody listens.',
+        'uptime',
+    )

@@ -4,7 +4,7 @@ import pytest
 from std_msgs.msg import Bool, Empty, Int32
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
-from helpers.checks.chapter_03.heartbeats import check_starts
+from helpers.checks.chapter_03.heartbeats import check_starts, check_unheard
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
@@ -69,6 +69,7 @@ def test_started_at_any_time(learner):
     Keep the light and the number in attributes; do not compute them from the clock.
     """
     check_starts(learner)
+    check_unheard(learner)
 
 
 def check_led(led, seconds):
