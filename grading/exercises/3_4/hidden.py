@@ -120,11 +120,13 @@ def test_reader_every_map(learner):
     maps.append(maps[-1])
     maps += [one_row(learner.random) for _ in range(learner.random.randint(45, 60))]
     frames = [learner.random.choice(('map', 'world', '')) for _ in maps[2:]] + ['world', 'map']  # both of them
-    for rows, frame in zip(maps, frames, strict=True):
-        server.send(grid_of(rows, frame))
+    for number, (rows, frame) in enumerate(zip(maps, frames, strict=True)):
+        # A map is one like any other, however old, and equal ones, too.
+        stamp = 9000 - 60 * (number - (rows == maps[number - 1]))
+        server.send(grid_of(rows, frame, stamp=stamp))
         with about('walls'):
             learner.run(1.0)
-    check_answers(answers.data, maps, ' Some of them have another frame_id than map.')
+    check_answers(answers.data, maps, ' Some have another frame_id than map, and some are older than those before.')
     learner.run(61.0, step=10.0)
     check_answers(answers.data, maps)
     check_nothing_else(learner, {'/walls'}, 'walls')

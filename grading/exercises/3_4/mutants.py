@@ -128,4 +128,14 @@ MUTANTS = [
 
         self.create_timer(0.5, look)
         """, expect='When another subscriber had come'),
+    Mutant('older_maps_do_not_count', old='self.publisher.publish(Int32(data=list(grid.data).count(100)))', new="""
+        stamp = grid.header.stamp.sec
+        if stamp >= getattr(self, 'newest', 0):
+            self.newest = stamp
+            self.publisher.publish(Int32(data=list(grid.data).count(100)))
+        """, expect='each map gets one', breaks='walls', also=('late',)),
+    Mutant('counts_for_listeners_only', old='self.publisher.publish(Int32(data=list(grid.data).count(100)))', new="""
+        if self.publisher.get_subscription_count():
+            self.publisher.publish(Int32(data=list(grid.data).count(100)))
+        """, expect='came while nobody listened on walls', breaks='walls', also=('late',)),
 ]

@@ -60,10 +60,10 @@ def large_rows(random) -> list[str]:
     return [''.join(random.choice('##.?') for _ in range(width)) for _ in range(height)]
 
 
-def grid_of(rows: list[str], frame: str = 'map', resolution: float = 0.1) -> OccupancyGrid:
-    """The map as a server publishes it."""
+def grid_of(rows: list[str], frame: str = 'map', resolution: float = 0.1, stamp: int = 0) -> OccupancyGrid:
+    """The map as a server publishes it; `stamp` in seconds."""
     grid = OccupancyGrid(data=values(rows))
-    grid.header.frame_id = frame
+    grid.header.frame_id, grid.header.stamp.sec = frame, stamp
     grid.info.width, grid.info.height, grid.info.resolution = len(rows[0]), len(rows), resolution
     return grid
 
@@ -159,3 +159,19 @@ def check_own_answers(learner, reader, answers, server) -> None:
         server.send(grid_of(one_row(learner.random)))
         learner.settle()
     check_own('MapReader', 'A map came to the first one', len(answers), len(others), 'walls', 'publisher', 'walls')
+
+
+def check_unheard(learner, reader) -> None:
+    """What a reader has counted while nobody listened reaches who listens later. `reader`: another one."""
+    space, rows = '/unheard', random_rows(learner.random)
+    learner.talk(f'{space}/map', OccupancyGrid, LATCHED).send(grid_of(rows))
+    with about('walls'):
+        learner.start('MapReader', beside=reader, remap={'__ns': space})
+        learner.settle()
+    late = learner.late_listener(f'{space}/walls', Int32, LATCHED)
+    expect(
+        late.data == [walls(rows)],
+        f'A map of {walls(rows)} walls came while nobody listened on walls; who listens later gets {late.data}. '
+        'Publish for each map, also if nobody listens: TRANSIENT_LOCAL keeps the answer.',
+        'walls',
+    )

@@ -13,6 +13,7 @@ from helpers.checks.chapter_03.maps import (
     check_not_again,
     check_once,
     check_own_answers,
+    check_unheard,
     grid_of,
     large_rows,
     one_row,
@@ -102,13 +103,20 @@ def test_reader(learner):
     random.shuffle(same)  # another map with as many walls
     # One map comes twice: each time it is a map.
     maps += [same, same, ['.?.', '...'], ['#+.', '+?+'], ['*.#', '#?*'], large_rows(random), random_rows(random)]
+    stamp = random.randint(900, 9000)  # in seconds; they get older: a map is one like any other
     for number, rows in enumerate(maps[1:], start=2):
+        twice = rows == maps[number - 2]
+        stamp -= 0 if twice else 60
         frame, resolution = ('map', 0.1) if number < len(maps) - 1 else (f'floor_{random.randint(1, 9)}', 0.05)
-        server.send(grid_of(rows, frame, resolution))
+        server.send(grid_of(rows, frame, resolution, stamp))
         with about('walls'):
             learner.settle()
-        note = f' The last one has the frame_id {frame!r} and the resolution {resolution:g}.'
-        note = ' The last one is equal to the one before.' if rows == maps[number - 2] else note
+        note = (
+            ' The last one is equal to the one before.'
+            if twice
+            else f' The last one has the frame_id {frame!r}, the resolution {resolution:g} and the stamp {stamp} s. '
+            'Each one counts, also an old one.'
+        )
         check_answers(answers.data, maps[:number], note)
     many = [one_row(random) for _ in range(random.randint(60, 70))]
     for rows in many:
@@ -119,3 +127,4 @@ def test_reader(learner):
     check_answers(answers.data, maps + many)
     check_nothing_else(learner, {f'{space}/walls'}, 'walls')
     check_own_answers(learner, reader, answers, server)
+    check_unheard(learner, reader)
