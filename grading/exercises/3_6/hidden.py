@@ -47,6 +47,7 @@ def test_changing_rate(learner):
         rates.data == pytest.approx(counts), f'{counts} scans in six seconds gave the reports {rates.data}.', 'report'
     )
     check_two_at_once(learner, rates, lidar, stamp)
+    monitors.check_unheard(learner)
 
 
 @pytest.mark.rules('silent')

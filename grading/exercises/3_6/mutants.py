@@ -231,4 +231,11 @@ MUTANTS = [
         self.gap.publish(Float64(data=gap))
         return
         """, expect='the newest one from then on, also after a gap', breaks='gap', also=('own-state', 'limit', 'old', 'first')),
+    Mutant('reports_to_listeners_only', old=RATE, new=f"""
+        if not self.rate.get_subscription_count():
+            return
+        {RATE}
+        """, expect='also if nobody listens', breaks='report'),
+    Mutant('counts_for_listeners_only', old='self.count += 1', new='self.count += self.rate.get_subscription_count() > 0',
+           expect='also if nobody listens', breaks='report'),
 ]

@@ -280,3 +280,36 @@ def check_own_topics(learner, node, rates, gaps, lidar, newest: float, max_gap: 
         learner.run(1.1, step=1.0)
     story = 'They ran for more than a second'
     check_own('RateMonitor', story, len(rates), len(theirs[0]), 'scan_rate', 'publishers', 'own-state')
+
+
+def check_unheard(learner, node=None) -> None:
+    """A monitor counts, and begins anew each second, also while nobody hears its reports.
+
+    :param node: a monitor in whose program this one is made.
+    """
+    space, early = '/unheard', learner.random.randint(4, 6)
+    lidar = learner.talk(f'{space}/scan', LaserScan, qos_profile_sensor_data, strict=False)
+
+    def send(count: int, seconds: float) -> None:
+        """So many scans, and then a pause."""
+        for _ in range(count):
+            lidar.send(scan(1.0))
+            learner.settle()
+        learner.run(seconds, step=1.0)
+
+    with about('report'):
+        learner.start('RateMonitor', beside=node, remap={'__ns': space})
+        learner.settle()
+        send(early, 2.2)  # the reports are due after 1, 2 and 3 s
+        send(2, 0.3)
+        rates = learner.listen(f'{space}/scan_rate', Float64)
+        learner.settle()
+        send(1, 0.7)
+    first = rates.data[0] if rates.messages else 3.0  # who reports nothing is told so elsewhere
+    expect(
+        first == 3.0,
+        f'{early} scans came in the first second of a monitor, none in the next one, and 3 in the third, in the middle '
+        f'of which somebody began to listen. The first report that came then says {first:g}, expected 3: count, '
+        'report, and begin from zero again, also if nobody listens.',
+        'report',
+    )

@@ -68,6 +68,7 @@ def test_monitor(learner):
     )
     newest = check_second(learner, rates, gaps, lidar, node, stamp)
     monitors.check_own_topics(learner, node, rates, gaps, lidar, newest, max_gap)
+    monitors.check_unheard(learner, node)
 
 
 @pytest.mark.rules('gap', 'limit', 'report')
