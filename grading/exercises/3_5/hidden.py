@@ -58,6 +58,7 @@ def test_safety_stop(learner):
     stops.check_again(learner, lidar, stop, scan, wanted[-1])
     stops.check_silence(learner, stop)
     stops.check_own_topic(learner, node, lidar, stop)
+    stops.check_unheard(learner, node)
 
 
 @pytest.mark.rules('stop')

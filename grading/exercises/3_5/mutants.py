@@ -134,4 +134,9 @@ MUTANTS = [
     Mutant('scan_with_a_liveliness', old='self.on_scan, sensor)', breaks='scan', expect='requests the policy liveliness',
            new='self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, '
                'liveliness=LivelinessPolicy.MANUAL_BY_TOPIC))', imports='from rclpy.qos import LivelinessPolicy'),
+    Mutant('stops_for_listeners_only',
+           old='self.publisher.publish(Bool(data=any(distance < 0.5 for distance in scan.ranges)))', new="""
+        if self.publisher.get_subscription_count():
+            self.publisher.publish(Bool(data=any(distance < 0.5 for distance in scan.ranges)))
+        """, expect='when no driver listened yet', breaks='stop'),
 ]
