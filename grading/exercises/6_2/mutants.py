@@ -88,4 +88,6 @@ MUTANTS = [
            later = 2 * math.pi * (self.get_clock().now().nanoseconds / 1e9) / self.period
            message = transform('planet', 'moon', x=x, y=y, yaw=later + math.pi)
            """),), expect='and the moon is turned as at another one'),
+    Mutant('period_in_the_class', breaks='time', old='self.radius, self.period = radius, period',
+           new='self.radius, Moon.period = radius, period', expect='the first one is at'),
 ]

@@ -220,13 +220,16 @@ def judge_two(learner, moon: Watched) -> None:
             'and in no variable of the class or of the module.',
             'circle',
         )
-    for time, place in places:
-        there = _on_circle(radius, 2 * math.pi * time / period)
-        expect(
-            not same(math.hypot(*place[:2]), radius, 1e-3) or same(place, there, 0.01),
-            f'{told}: at time {time:.13g} s the second one is at {words(place)}, expected {words(there)}.',
-            'time',
-        )
+    for name, its_radius, its_period in (('first', moon.radius, moon.period), ('second', radius, period)):
+        hint = 'Keep the numbers of each moon in self, and in no variable of the class or of the module.'
+        for time, place in places:
+            there = _on_circle(its_radius, 2 * math.pi * time / its_period)
+            expect(
+                not same(math.hypot(*place[:2]), its_radius, 1e-3) or same(place, there, 0.01),
+                f'{told}: at time {time:.13g} s the {name} one is at {words(place)}, expected {words(there)}.'
+                + (f' {hint}' if name == 'first' else ''),
+                'time',
+            )
 
 
 def judge_one_look(learner) -> None:
