@@ -39,6 +39,10 @@ def test_alone(learner):
         Job('C', (first + second) / 2 + 1.4, 1),
     )
     printer.judge()
+    # A goal that was cancelled runs until it has ended.
+    step = round(draw.randint(1, 3) / 2 + 0.06, 2)
+    printer.tell(Job('D', 0.0, 9, cancel_at=step), Job('too early', round(step + 0.02, 2), 1), Job('E', step + 1.0, 1))
+    printer.judge()
 
 
 @pytest.mark.rules('places')

@@ -390,4 +390,7 @@ MUTANTS = [
             other.execute()
         goal.canceled() if goal.is_cancel_requested else goal.succeed()
         """)), expect='First end a goal'),
+    Mutant('cancelled_ones_take_no_place', breaks='places', also=('cancel-waiting', 'cancel', 'lock'),
+           old='full = len(self.goals) >', new='full = len([one for one in self.goals if not one.is_cancel_requested]) >',
+           expect='Goal too early was accepted'),
 ]

@@ -52,7 +52,11 @@ def test_no_place(learner):
     0 is a number like any other: `places or 2` is 2.
     """
     printer = Printer(learner, 0)
-    printer.tell(Job('A', 0.0, 2), Job('too many', 0.2, 1), Job('B', 1.3, 1))
+    # The last one comes when the goal that runs is cancelled, and has not ended yet.
+    cancelled = Job('C', 2.2, 4, cancel_at=2.2 + PAGE + 0.05)
+    printer.tell(
+        Job('A', 0.0, 2), Job('too many', 0.2, 1), Job('B', 1.3, 1), cancelled, Job('too early', 2.2 + PAGE + 0.07, 1)
+    )
     printer.judge()
 
 
