@@ -148,11 +148,7 @@ def judge(
                     raise
     for exercise in running:
         mine = [one for one in collections if exercise in one.share.exercises]
-        unseen = {rule: why for one in mine for rule, why in one.unseen[exercise.id].items()}
-        found = results.scored(exercise, _in_order([one.of(exercise.id) for one in mine]), unseen)
-        notes = programs[exercise.id].get('notes', ())
-        found.message = clean('\n'.join([*filter(None, [found.message]), *notes]))
-        judged[exercise.id] = found
+        judged[exercise.id] = _result(exercise, mine, programs[exercise.id].get('notes', ()))
     return SessionReport(
         [judged[exercise.id] for exercise in exercises],
         next((collection.sandbox for collection in collections), ''),
@@ -161,6 +157,14 @@ def judge(
         sum((collection.spent for collection in collections), Counter()),
         {exercise.id: options.seeds.get(exercise.id, options.seed) for exercise in exercises},
     )
+
+
+def _result(exercise: Exercise, collections: 'list[_Collection]', notes: Iterable[str]) -> ExerciseResult:
+    """What the tests of an exercise have found, with the notes on how its program was read."""
+    unseen = {rule: why for one in collections for rule, why in one.unseen[exercise.id].items()}
+    found = results.scored(exercise, _in_order([one.of(exercise.id) for one in collections]), unseen)
+    found.message = clean('\n'.join([*filter(None, [found.message]), *notes]))
+    return found
 
 
 @dataclass(frozen=True)

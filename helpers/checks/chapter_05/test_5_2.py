@@ -297,6 +297,19 @@ def _answers_late(learner, rounds):
     learner.run(2.0, step=1.0)
     rounds.expect(f'lost {seen}', 'once')
     _asked_once(rounds)
+    _answers_in_time(learner, rounds)
+    server.late = {'cancel': 1.5}
+    server.plan = [(1.4, action_peers.Aborted(Fibonacci.Result(sequence=[value])))]
+    rounds.begin(30, 0.2, 'a server that aborts the goal 1.2 s after the cancel request, and has not answered that')
+    learner.run(1.5, step=1.0)
+    rounds.expect('lost []', 'lost', 'The cancel request was not answered within 1 s.')
+    server.late, server.plan = {}, uneven
+    _is_gone(learner, rounds)
+
+
+def _answers_in_time(learner, rounds):
+    """A server answers the cancel request 0.8 s after it, or at once."""
+    draw, server = learner.random, rounds.server
     server.cancel, server.late, patience = 'accept', {'cancel': 0.8}, draw.choice([1.2, 1.7])
     rounds.begin(30, patience, 'a server that needs 0.8 s to answer the cancel request')
     learner.run(patience + 3.0, step=1.0)
@@ -307,15 +320,13 @@ def _answers_late(learner, rounds):
     rounds.expect(
         f'canceled {list(server.partial.sequence)}', 'deadline', 'With a patience of 0 s it asks to cancel at once.'
     )
-    server.late = {'cancel': 1.5}
-    server.plan = [(1.4, action_peers.Aborted(Fibonacci.Result(sequence=[value])))]
-    rounds.begin(30, 0.2, 'a server that aborts the goal 1.2 s after the cancel request, and has not answered that')
-    learner.run(1.5, step=1.0)
-    rounds.expect('lost []', 'lost', 'The cancel request was not answered within 1 s.')
-    server.late, server.plan = {}, uneven
+
+
+def _is_gone(learner, rounds):
+    """A server ends before it could answer the cancel request."""
     goal = rounds.begin(30, 1.0, 'a server that ends after its first feedback')
     learner.run(0.4)
-    server.stop()
+    rounds.server.stop()
     learner.run(3.0, step=1.0)
     rounds.expect(f'lost {_uneven(0)}', 'lost', 'Nobody answers the cancel request: the client must not wait for ever.')
     took = rounds.outcome.stamps[0] - goal.arrived
@@ -361,17 +372,7 @@ def test_server_comes_late(learner):
     with waiting('at-once'):
         node = learner.start('PatientClient', order, 0.5 * order + 0.5, remap={'__ns': space})
     check_silence(learner, outcome)
-    expect(
-        node.name == f'{space}/patient_client',
-        f'In the namespace {space} your node is called {node.name}, expected {space}/patient_client.',
-        'names',
-    )
-    expect(
-        learner.endpoints(f'{space}/outcome').publishers,
-        f'In the namespace {space} your node has no publisher on {space}/outcome: write the name without a leading '
-        'slash.',
-        'names',
-    )
+    _check_own_names(learner, node, space)
     away = draw.choice([31.3, 32.2])
     learner.run(away, step=1.0)
     check_no_wait(learner)
@@ -412,6 +413,21 @@ def test_server_comes_late(learner):
     server.stop()
     check_two_clients(learner, beside=node)
     check_constructor(learner, node, server)
+
+
+def _check_own_names(learner, node, space):
+    """The names of the node and of its topic in a namespace."""
+    expect(
+        node.name == f'{space}/patient_client',
+        f'In the namespace {space} your node is called {node.name}, expected {space}/patient_client.',
+        'names',
+    )
+    expect(
+        learner.endpoints(f'{space}/outcome').publishers,
+        f'In the namespace {space} your node has no publisher on {space}/outcome: write the name without a leading '
+        'slash.',
+        'names',
+    )
 
 
 def _check_no_end_before(outcome, end, late):
