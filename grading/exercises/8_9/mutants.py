@@ -296,4 +296,7 @@ elif pose is None:
            """)), expect='s after its end the status was'),
     Mutant('a_quarter_of_a_second_early', breaks='timeout', alone=True, old="0.1 * step >= self.value('timeout')",
            new="0.1 * step >= self.value('timeout') - 0.25", expect='Each goal has that time for itself'),
+    Mutant('tolerance_of_the_beginning', breaks='succeeds', alone=True, expect='was set to 0.', edits=(
+        ("distance < self.value('tolerance')", "distance < min(near, self.value('tolerance'))"),
+        ('def execute(self, goal):', "def execute(self, goal):\n    near = self.value('tolerance')\n"))),
 ]

@@ -369,15 +369,25 @@ def _judge_state_to_the_end(drives: Drives, goal, name: str) -> None:
     )
 
 
-def judge_arrived(drives: Drives, goal, name: str, tolerance: float) -> None:
-    """The rules `succeeds`, with this tolerance, and `state`, to the end."""
+def judge_arrived(drives: Drives, goal, name: str, tolerance: float, *, new: bool = False) -> None:
+    """The rules `succeeds`, with this tolerance, and `state`, to the end. `new`: it was set while the robot drove."""
     _judge_each_round(drives, goal, name)
     _judge_one_each_round(drives, goal, name)
     _judge_state_to_the_end(drives, goal, name)
     seconds = drives.learner.now / SECOND - goal.sent
     distance = drives.delivery.distance(name)
+    is_now = goal.status or 'still running'
+    expect(
+        not new or goal.status == 'succeeded' or distance > tolerance,
+        f'The tolerance was set to {tolerance:g} while the robot drove to {name}. It is {distance:.2f} m away from '
+        f'there, and {seconds:.1f} s after it was sent the goal is {is_now}, expected succeeded: read the '
+        'tolerance in each round.',
+        'succeeds',
+    )
     drives.ended(goal, 'succeeded', 'succeeds', f'{seconds:.1f} s after it was sent,')
     told = f'With tolerance = {tolerance:g}, the goal {name} succeeded'
+    if new:
+        told = f'The tolerance was set to {tolerance:g} while the robot drove, and the goal {name} succeeded'
     expect(distance < tolerance + 0.05, f'{told} {distance:.2f} m away from the station.', 'succeeds')
     expect(distance > tolerance - 0.15, f'{told} only {distance:.2f} m away from the station.', 'succeeds')
     last = goal.feedback[-1].distance if goal.feedback else 0.0  # whether there is any is judged elsewhere
@@ -442,4 +452,4 @@ def judge_timeout(drives: Drives, timeout: float) -> None:
     drives.run(0.3)
     drives.set(tolerance=tolerance)
     drives.run(timeout - 0.3, again)
-    judge_arrived(drives, again, 'near', tolerance)
+    judge_arrived(drives, again, 'near', tolerance, new=True)

@@ -137,6 +137,7 @@ def _judge_border(held: Held, late: str) -> None:
     held.stand(*AWAY, 0.3)  # and it is carried away: then it is too late for whoever waits
     left = math.hypot(GATE[0] - 0.02, 0.1)
     said = f', and says {goal.result.message!r}' if goal.done and goal.result.message else ''
+    _judge_time_of_its_own(held, goal, late)
     expect(
         goal.status == 'succeeded',
         f'The tolerance is {TOLERANCE:g} m, and for 0.2 s the robot was {left:.3f} m away from the station; it looked '
@@ -155,6 +156,17 @@ def _judge_border(held: Held, late: str) -> None:
         f'A goal to the gate took too long, and another one has arrived there; both say {late!r}. The message says how '
         'the drive ended.',
         'result',
+    )
+
+
+def _judge_time_of_its_own(held: Held, goal, late: str) -> None:
+    """The rule `timeout`, of a goal that came after one that took too long, and said so: `late`."""
+    took = held.learner.now / SECOND - goal.sent
+    expect(
+        not (goal.status == 'aborted' and goal.result.message == late and took < TIMEOUT),
+        f'A goal took too long, and said {late!r}. The next one is aborted {took:.1f} s after it was sent, and says '
+        f'the same. With timeout = {TIMEOUT:g}, each goal has that time for itself.',
+        'timeout',
     )
 
 
