@@ -51,7 +51,7 @@ def test_each_fault_of_a_shell(learner):
                 check(learner, cause, **form)
 
 
-@pytest.mark.rules('comments', 'sources', 'variables', 'missing', 'release', 'path', 'domain')
+@pytest.mark.rules('comments', 'sources', 'variables', 'missing', 'release', 'key', 'not-sourced', 'path', 'domain')
 def test_lines(learner):
     """Lines are read as a shell reads them: comments, prefixes, with and without `export`.
 

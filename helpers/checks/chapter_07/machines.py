@@ -95,7 +95,8 @@ def judge_rare_lines(learner) -> None:
     """Lines that look like others, each beside a healthy machine's: what do they do?
 
     Rule by rule: a release whose name begins with the wanted one, PATH as a part of a folder, a number in another
-    number, and commands that only hold the words of a line that does something.
+    number, another option than the key, a second line that sources, and commands that only hold the words of a line
+    that does something.
     """
     random = learner.random
     (distro, codename), (older, _) = random.sample(RELEASES, 2)
@@ -113,6 +114,9 @@ def judge_rare_lines(learner) -> None:
         ('domain', '', [source, f'ROS_DOMAIN_ID={domain}', 'ROS_DOMAIN_ID=0'], 0),
         ('domain', '', [source, f'ROS_DOMAIN_ID={domain}', f'export OLD_ROS_DOMAIN_ID={number}'], domain),
         ('range', '', [source, 'export ROBOT_MODE=OFF', 'export OLD_ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST'], 0),
+        ('key', f'deb [trusted=yes] {_URL} {codename} main', [source], 0),
+        ('not-sourced', '', [f'source /opt/ros/{older}/setup.bash', source], 0),
+        ('not-sourced', '', [source, f'. /opt/ros/{older}/setup.bash'], 0),
         ('sources', '', [f"alias {distro}='{source}'", f'echo {source}'], 0),
         ('sources', '', [source, f"alias {older}='source /opt/ros/{older}/setup.bash'"], 0),
         ('sources', '', [source, f'source /opt/ros/{older}/{_COMPLETION}'], 0),

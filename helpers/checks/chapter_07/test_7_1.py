@@ -23,7 +23,9 @@ def test_each_cause(learner):
     machines.diagnose(learner, *machines.draw(learner.random, plain=True))
 
 
-@pytest.mark.rules('comments', 'sources', 'variables', 'all', 'missing', 'release', 'path', 'domain')
+@pytest.mark.rules(
+    'comments', 'sources', 'variables', 'all', 'missing', 'release', 'key', 'not-sourced', 'path', 'domain'
+)
 def test_lines(learner):
     """What a line does is read as a shell reads it, and each wrong line is a finding.
 
