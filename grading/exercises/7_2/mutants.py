@@ -121,4 +121,7 @@ MUTANTS = [
     Mutant('package_of_the_first_entry', old="next(name for name in files if name.endswith('/__init__.py')).split('/')[0]",
            new="next(iter(entry_points(setup).values())).split('.')[0].split('/')[0]", breaks='repaired',
            expect='KeyError'),
+    Mutant('the_folder_does_not_matter', old="text = files.get(module.replace('.', '/') + '.py')",
+           new="text = files.get(module.replace('.', '/') + '.py', files.get(f\"{module.split('.')[0]}/{module.split('.')[-1]}.py\"))",
+           expect='You did not find `no_program`, cause `module`', breaks='module'),
 ]

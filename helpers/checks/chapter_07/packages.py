@@ -249,8 +249,8 @@ class Package:
 def judge_rare_entries(learner) -> None:
     """Entry points whose programs have other names than their modules, in a package with a folder in it.
 
-    One name is written in capitals, one with a hyphen, one ends in py, one module stands in another folder, three right
-    sides name a file, one of them after the colon;
+    One name is written in capitals, one with a hyphen, one ends in py, four modules stand in another folder, three
+    right sides name a file, one of them after the colon;
     a function is only another name of one, one is inside of another, one is the end of another name, one that begins
     with `_` can be started as any other, one module begins with its only `def`, one is empty, and two right sides have
     a sign too much.
@@ -262,6 +262,9 @@ def judge_rare_entries(learner) -> None:
     entries = [
         (f'{package}.tools.{inner}:{go}', ''),
         (f'{package}.{inner}:{go}', 'module'),
+        (f'{package}.tools.{last}:{go}', 'module'),
+        (f'tools.{inner}:{go}', 'module'),
+        (f'{package}_2.{last}:{go}', 'module'),
         (f'{package}.{first.capitalize()}:{go}', 'module'),
         (f'{package}.{first}-{inner}:{go}', 'module'),
         (f'{package}.{first}_{inner}:{go}', ''),
