@@ -46,6 +46,8 @@ def test_one_thread(learner, cause):
         for _ in range(stacks.OFTEN):
             with about(cause):
                 stacks.diagnose(learner, state, plain=True)
+    if cause == 'busy':
+        stacks.judge_others(learner)
     check(learner, cause, rule='own-call')
     check(learner, cause, 'idle', 'spinning', rule='all')
 

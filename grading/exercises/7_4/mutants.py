@@ -132,4 +132,10 @@ MUTANTS = [
            new="sum(map(float, [sys.argv[2].split('.')[0], '0.' + sys.argv[2].split('.')[1]]))"),
     Mutant('spaces_after_the_line', old='[int(line) - 1].strip()', new='[int(line) - 1].lstrip()', breaks='own-call',
            also=('server', 'call', 'spin', 'busy', 'all'), expect='your evidence is'),
+    Mutant('in_a_callback_by_the_file', old="'await_or_execute' in [function for _, _, function in calls[own:]]",
+           new="'executors.py' in [path.name for path in paths[own:]]", expect='That is no callback', breaks='healthy',
+           also=('own-call', 'call', 'spin', 'busy', 'all')),
+    Mutant('call_of_any_library', old="cause = 'call' if ('client.py', 'call') in newer else",
+           new="cause = 'call' if 'call' in [call[2] for call in calls[:own]] else",
+           expect='is none of rclpy', breaks='busy', also=('own-call', 'call', 'all')),
 ]

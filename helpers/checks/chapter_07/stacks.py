@@ -20,13 +20,15 @@ WHY = {
     'call': '`call` of rclpy in a callback waits for an answer that the same thread should bring.',
     'spin': 'A callback that spins waits for the executor that runs it, and so does any other call in executors.py.',
     'busy': 'A callback that stands in its own line does not return. Of the calls in client.py only `call` and '
-    '`wait_for_service` wait.',
+    '`wait_for_service` wait; a `call` in a file of another library is none of rclpy.',
 }
 CAUSES = tuple(WHY)
 # What else is to be said of a state in which threads often are.
 MORE = {
     'serving': 'The main thread spins, and runs a callback of rclpy itself, as for `ros2 param list`: its own call is '
-    'no callback, because `await_or_execute` is newer than that, and not older.'
+    'no callback, because `await_or_execute` is newer than that, and not older.',
+    'polled': 'The executor asks the program whether something is ready. That is no callback, because none of the '
+    'older calls is `await_or_execute`.',
 }
 START = 30.0  # s of wall time for a program to be up, on a machine under load
 MADE, WAITS, ASKED = 'client made', 'waits for the server', 'has asked the server'  # what WATCHED says
@@ -51,11 +53,13 @@ OTHERS = tuple((state, cause) for state, (cause, _) in _OTHER_FORMS.items())
 # How callbacks are called: no name shows that something is one.
 _CALLBACKS = ('on_timer', 'on_scan', 'on_request', 'tick', 'steer', 'measure', 'answer')
 OFTEN = 16  # times that such a state is drawn, so that hardly any draw leaves one of its three forms out
+_Call = tuple[str, int, str]  # file, line, function
 # Calls of other libraries, whose files and functions are called as those of rclpy.
-_OF_OTHERS = (
+_OF_OTHERS: tuple[_Call, ...] = (
     ('/usr/lib/python3/dist-packages/roslibpy/client.py', 214, 'call'),
     ('/usr/lib/python3/dist-packages/paho/client.py', 88, 'wait_for_service'),
     ('/usr/lib/python3/dist-packages/celery/executors.py', 131, 'spin'),
+    ('/usr/lib/python3.12/subprocess.py', 391, 'call'),
 )
 _LINES = {
     'server': 'client.wait_for_service()',
@@ -65,19 +69,23 @@ _LINES = {
 }
 
 
-def draw(random, *states: str, plain: bool = False, third: str = '') -> tuple[str, dict[str, str], list[tuple]]:
+def draw(
+    random, *states: str, plain: bool = False, third: str = '', other: _Call | None = None
+) -> tuple[str, dict[str, str], list[tuple]]:
     """Stacks with a thread in each of these states, the program's files, and the findings that are right.
 
     States: the causes, ``spinning`` (the main thread spins), ``idle`` (a worker without the program's calls),
     ``waits in main`` (``call`` outside of a callback, which is no finding), ``at work`` (its own call is the newest,
     outside of a callback, which is none either), ``serving`` (the main thread spins, and a callback of rclpy runs),
     ``calling`` (busy, with a newer call of rclpy that does not wait), ``ending`` (it ends the executor, which waits in
-    executors.py), ``looking`` (it waits for a server, and just looks whether it is there), ``same`` (another thread in
+    executors.py), ``polled`` (the executor asks an object of the program's whether it is ready, which is no finding),
+    ``looking`` (it waits for a server, and just looks whether it is there), ``same`` (another thread in
     the line of the one before).
     :param plain: each thread has one own call besides that in main, and no file is called as one of rclpy's.
     :param third: how the third file is called; '' for any of these names.
+    :param other: the call of another library that each busy thread has; one is drawn, or none, without it.
     """
-    program = _Program(random, plain, third)
+    program = _Program(random, plain, third, other)
     threads = [program.thread(state) for state in states]
     text = '\n\n'.join(
         '\n'.join([f'{head} (most recent call first):', *thread])
@@ -93,8 +101,8 @@ def draw(random, *states: str, plain: bool = False, third: str = '') -> tuple[st
 class _Program:
     """Draws the threads of a program, line by line; `expected`: the findings in those that it has drawn."""
 
-    def __init__(self, random, plain: bool, third: str):
-        self._random, self._plain = random, plain
+    def __init__(self, random, plain: bool, third: str, other: _Call | None):
+        self._random, self._plain, self._other = random, plain, other
         self._rclpy = random.choice(_RCLPY)
         nodes = random.sample(words.SERVICES, 3)
         # One file has the name of a file of rclpy: only the folder tells them apart.
@@ -148,6 +156,9 @@ class _Program:
         if state == 'serving':
             served = self._library('parameter_service.py _list_parameters_callback', *_OUTER, *_SPIN)
             return [*served, self._own('rclpy.spin(node)', 'main')]
+        if state == 'polled':
+            asks = self._library('executors.py _wait_for_ready_callbacks', *_SPIN)
+            return [self._own(_LINES['busy'], 'is_ready'), *asks, self._own('executor.spin()', 'main')]
         if state == 'idle':
             return [*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker']
         if state == 'waits in main':
@@ -168,6 +179,8 @@ class _Program:
 
     def _of_others(self) -> list[str]:
         """Perhaps a call of another library, whose file is called as one of rclpy's, and as none of the program's."""
+        if self._other:
+            return [_frame(*self._other)]
         found = [call for call in _OF_OTHERS if call[0].rpartition('/')[2] not in self._lines]
         return [] if self._plain else self._random.choice([[], *([_frame(*call)] for call in found)])
 
@@ -186,9 +199,11 @@ class _Program:
         ]
 
 
-def diagnose(learner, *states: str, rule: str = '', plain: bool = False, third: str = '') -> None:
+def diagnose(
+    learner, *states: str, rule: str = '', plain: bool = False, third: str = '', other: _Call | None = None
+) -> None:
     """Draw stacks, ask the learner's diagnose_stacks, and fail with words if it does not find what is expected."""
-    text, files, expected = draw(learner.random, *states, plain=plain, third=third)
+    text, files, expected = draw(learner.random, *states, plain=plain, third=third, other=other)
     more = [MORE[state] for state in states if state in MORE]
     compare(
         learner.call('diagnose_stacks', text, files),
@@ -204,6 +219,15 @@ def judge_task(learner) -> None:
     for state in ('serving', 'serving', 'waits in main', 'at work'):
         with about('own-call'):
             diagnose(learner, state, rule='own-call', third='task.py')
+    with about('healthy'):
+        diagnose(learner, 'polled', rule='healthy', third='tools.py')
+
+
+def judge_others(learner) -> None:
+    """A callback is in a call of another library, which is called as one of rclpy: rule `busy`."""
+    for other in _OF_OTHERS:
+        with about('busy'):
+            diagnose(learner, 'busy', third='tools.py', other=other)
 
 
 def _frame(file: str, line: int, function: str) -> str:
@@ -450,8 +474,9 @@ class Client:
         names = (f'/{service}' for service, _, _ in random.sample(words.SERVICES, 4))
         patience = TWICE * (2 if busy() else 1)
         asked = {
-            what: (next(names), round(random.uniform(low, low + 0.3), 2))
-            for what, low in (('late', 30.0), ('twice', patience), ('nobody', 2.5), ('silent', 2.5))  # no whole seconds
+            what: (next(names), round(random.uniform(low, low + 0.15), 2))
+            # Nearly a whole number of seconds more: who leaves out the part behind the point gives up far too early.
+            for what, low in (('late', 30.0), ('twice', patience), ('nobody', 2.8), ('silent', 2.8))
         }
         asked['nobody'] = asked['nobody'][0].lstrip('/'), asked['nobody'][1]  # a name is printed as it was given
         with Observer(self._learner) as observer, Observer(self._learner) as silent:

@@ -30,6 +30,7 @@ def test_stacks(learner):
             with about('own-call'):
                 stacks.diagnose(learner, cause, rule='own-call')
     stacks.judge_task(learner)
+    stacks.judge_others(learner)
     with about('all'):
         stacks.diagnose(learner, 'idle', *stacks.CAUSES, 'spinning', rule='all')
         stacks.diagnose(learner, 'idle', 'busy', 'same', 'spinning', learner.random.choice(stacks.CAUSES), rule='all')
