@@ -297,12 +297,12 @@ def judge_announce(learner, stations: list[str]) -> None:
     with about('stations'):
         expect(DATA in own, _no_file(learner, DATA))
         names = [line.strip() for line in own[DATA].splitlines() if line.strip()]
-        expect(len(names) >= 2, f'{DATA} has {len(names)} names, expected at least two, one in each line.')
         both = [name for name in names if len(name.split()) > 1]
         expect(
             not both,
             f'{DATA} has the line {both and both[0]!r}: write one name in each line, and each name as one word.',
         )
+        expect(len(names) >= 2, f'{DATA} has {len(names)} names, expected at least two, one in each line.')
     workspace = built(learner, {DATA: '\n'.join(stations) + '\n'})
     with about('stations'):
         installed = workspace.installed()
@@ -461,14 +461,14 @@ def _judge_rate(stamps: list[float], all_came: bool) -> None:
         f'Between two names pass {min(_pauses(stamps), default=HEARD):.1f} s at least, expected 0.5 s. The first '
         'argument of create_timer is a period in seconds, not a rate.',
     )
+    between = (stamps[-1] - stamps[0]) / (len(stamps) - 1)
+    expect(between > FAST, f'Between two names pass {between:.2f} s in the mean, expected 0.5 s.')
     at_once = [pause for pause in _pauses(stamps) if pause < AT_ONCE]
     expect(
         len(at_once) < (len(stamps) - 1) // 2,
         f'{len(at_once)} of {len(stamps)} names came within {AT_ONCE:g} s of the one before, and then nothing for a '
         'while: publish one name each time the timer calls, and let it call every 0.5 s.',
     )
-    between = (stamps[-1] - stamps[0]) / (len(stamps) - 1)
-    expect(between > FAST, f'Between two names pass {between:.2f} s in the mean, expected 0.5 s.')
 
 
 def _judge_names(names: list[str], stations: list[str]) -> None:
