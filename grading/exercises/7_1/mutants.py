@@ -164,5 +164,5 @@ def repair_machine(files, want):
     Mutant('trusted_without_a_key', old="'key': 'signed-by=' not in line", new="'key': 'signed-by=' not in line and 'trusted=yes' not in line",
            expect='Without signed-by apt does not trust the source', breaks='key'),
     Mutant('first_line_that_sources', old="want['distro'] not in sourced.values()",
-           new="want['distro'] not in [*sourced.values()][:1]", expect='You found `no_ros2`', breaks='not-sourced'),
+           new="want['distro'] not in [*sourced.values()][:1]", expect='You found `no_ros2`', breaks='not-sourced', also='all'),
 ]

@@ -106,6 +106,7 @@ def judge_rare_lines(learner) -> None:
     cases = [
         ('release', f'{deb} {codename}-{random.choice(["updates", "testing"])} main', [source], 0),
         ('comments', f'\t {deb} {codename} main  ', [source], 0),
+        ('comments', '', [source, f'   . /opt/ros/{older}/setup.sh  ', f'   # export ROS_DOMAIN_ID={number}'], 0),
         ('path', '', [source, f'PATH=/usr/bin:{folder}', f'export PATH=/opt/PATH/bin:{folder}'], 0),
         ('path', '', [source, f'PATH=$HOME/bin:{folder}', f'export PATH={folder}:$MANPATH'], 0),
         ('path', '', [source, f'PATH={folder}:$PATH:/bin', f'export PATH=$PATH:{folder}', f'export XPATH={folder}'], 0),
