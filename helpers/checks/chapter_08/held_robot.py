@@ -17,7 +17,8 @@ TOLERANCE, TIMEOUT, FASTEST, TURN = 0.5, 3.0, 0.5, 2.0  # the parameters of the 
 GATE = 0.5, 0.0  # the station, in metres
 AWAY = GATE[0] - 1.5, 0.0  # a place that is far from it: x in metres, yaw in radians
 FURTHER = AWAY[0] - 0.5  # x in metres
-ASIDE = 1.1  # metres in y: the straight way from there is neither the one in x nor the one in y, nor both together
+BESIDE = 0.106  # metres in y, where it is near: then the straight way, in hundredths of a metre, is another number
+ASIDE = 1.105  # metres in y: the straight way from there is neither the one in x nor the one in y, nor both together
 
 
 class Held:
@@ -133,9 +134,9 @@ def _judge_border(held: Held, late: str) -> None:
         f'{math.hypot(aside, aside):.2f} m, and the goal has succeeded. What counts is the distance of steer.',
         'succeeds',
     )
-    held.stand(0.02, 2.5, 0.2, 0.1)  # it looks away: that does not matter
+    held.stand(0.02, 2.5, 0.2, BESIDE)  # it looks away: that does not matter
     held.stand(*AWAY, 0.3)  # and it is carried away: then it is too late for whoever waits
-    left = math.hypot(GATE[0] - 0.02, 0.1)
+    left = math.hypot(GATE[0] - 0.02, BESIDE)
     said = f', and says {goal.result.message!r}' if goal.done and goal.result.message else ''
     _judge_time_of_its_own(held, goal, late)
     expect(
@@ -147,8 +148,8 @@ def _judge_border(held: Held, late: str) -> None:
     )
     expect(
         goal.result.distance == pytest.approx(left, abs=1e-3),
-        f'The goal has succeeded {left:.3f} m away from the station, 0.1 m of it in y, and the distance in its result '
-        f'is {goal.result.distance:.3f}. It is the distance of steer.',
+        f'The goal has succeeded {left:.3f} m away from the station, {BESIDE:g} m of it in y, and the distance in its '
+        f'result is {goal.result.distance:.3f}. It is the distance of steer, as it is.',
         'result',
     )
     expect(
@@ -239,6 +240,14 @@ def _judge_long_drive(held: Held, seconds: float) -> None:
         FURTHER,
     )
     held.stand(GATE[0] - 1.4 * tolerance, 0.0, 2.0)
+    last = [one.linear.x for one in held.commands.messages][-1:]
+    expect(
+        not last or last[0] == pytest.approx(1.4 * tolerance, abs=1e-3),
+        f'{told}The robot was {1.4 * tolerance:.3f} m away from the station and looked at it, so steer says '
+        f'{1.4 * tolerance:.3f} m/s, and the command is linear.x {last and last[0]:g}. Drive with the result of steer, '
+        'as it is.',
+        'rhythm',
+    )
     expect(
         not goal.done,
         f'{told}The robot was {1.4 * tolerance:.3f} m away from the station, and the goal is {goal.status}.',
