@@ -57,6 +57,7 @@ def test_nodes(learner):
     bad = word(learner.random).capitalize()
     text = f"def make():\n    return Node('{bad}D'), rclpy.node.Node('{bad}E', use=[create_node('{bad}F')])"
     linting.judge(learner, text, [('node', f'{bad}{letter}') for letter in 'DEF'], 'node')
+    linting.judge_places(learner)
     linting.judge_super(learner)
 
 

@@ -142,6 +142,33 @@ MUTANTS = [
     Mutant('kinds_by_another_name', old="'create_publisher': ('topic', 1, 'topic')",
            new="'create_publisher': ('publisher', 1, 'topic')", expect='Expected: the topic', breaks='topic',
            also=('keyword', 'once')),
+    Mutant('not_in_async_functions', breaks='node', expect='A call counts wherever it stands', imports="""
+class Calls(ast.NodeVisitor):
+    def __init__(self):
+        self.bases, self.found = [], []
+
+    def visit_AsyncFunctionDef(self, node):
+        pass
+
+    def visit_ClassDef(self, node):
+        outer, self.bases = self.bases, [last_name(base) for base in node.bases]
+        self.generic_visit(node)
+        self.bases = outer
+
+    def visit_Call(self, node):
+        words = {word.arg: value(word.value) for word in node.keywords}
+        self.found.append((last_name(node.func), [value(one) for one in node.args], words, self.bases))
+        self.generic_visit(node)
+
+
+def calls(text):
+    visitor = Calls()
+    visitor.visit(ast.parse(text))
+    return visitor.found
+"""),
+    Mutant('letters_are_no_topics', breaks='topic', also='service', expect='It has words that are joined by /',
+           old="return all(WORD.fullmatch(word) for word in words) and (kind != 'package' or len(name) > 1)",
+           new="return all(WORD.fullmatch(word) and (kind == 'node' or len(word) > 1) for word in words)"),
     Mutant('constant_f_strings', breaks='no-text', expect='It is no text that names', imports="""
 def value(node):
     if isinstance(node, ast.JoinedStr) and all(isinstance(part, ast.Constant) for part in node.values):

@@ -157,6 +157,8 @@ def judge_topics(learner, kind: str, functions: tuple[str, str]) -> None:
         f'front_{draw.randint(2, 9)}/scan',
         *(f'~/{one}/{name}' for name in _with_digits(draw)),
         one,
+        'x',
+        f'{one}/z',
         f'{one}/{two}',
         f'~/{one}',
         f'~/{one}/{two}',
@@ -175,6 +177,37 @@ def judge_topics(learner, kind: str, functions: tuple[str, str]) -> None:
             kind,
             why_not=f'({function}) It has words that are joined by /, and may begin with ~/.',
         )
+
+
+def judge_places(learner) -> None:
+    """The rules `node` and `service`: a call is found wherever in the file it stands."""
+    bad = word(learner.random).capitalize()
+    expected = [*(('node', f'{bad}{letter}') for letter in 'ABCDEFGH'), ('service', f'{bad}/i')]
+    judge(
+        learner,
+        f"""
+async def come():
+    create_node('{bad}A')
+make = lambda: create_node('{bad}B')
+def outer():
+    def inner():
+        return Node('{bad}C')
+    return inner
+node.create_service(Empty, 'go', lambda request, response: create_node('{bad}D'))
+nodes = [create_node('{bad}E') for number in range(2)]
+if __name__ == '__main__':
+    try:
+        with open('log') as log:
+            Node('{bad}F')
+    finally:
+        executor.add_node(create_node('{bad}G', parameters=[Node('{bad}H')]))
+        create_node('good').create_client(Empty, '{bad}/i').call(Empty.Request())
+""",
+        expected,
+        'node',
+        'A call counts wherever it stands: in an async function, a lambda, a function in a function, or as an argument '
+        'of another call.',
+    )
 
 
 def judge_super(learner) -> None:

@@ -22,6 +22,7 @@ def test_nodes(learner):
         'node',
         'Its name begins with a capital letter.',
     )
+    linting.judge_places(learner)
     linting.judge_super(learner)
 
 
