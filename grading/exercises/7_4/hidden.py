@@ -26,6 +26,9 @@ def test_healthy_threads(learner):
     """
     check(learner, 'idle', 'spinning', rule='healthy')
     check(learner, 'waits in main', rule='healthy')
+    for _ in range(2):
+        with about('healthy'):
+            stacks.diagnose(learner, 'at work', rule='healthy', plain=True)
     check(learner, 'at work', rule='healthy')
     check(learner, 'serving', rule='healthy', times=2)
     stacks.judge_task(learner)

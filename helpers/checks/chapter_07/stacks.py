@@ -229,7 +229,7 @@ def judge_others(learner) -> None:
     """A callback is in a call of another library, which is called as one of rclpy: rule `busy`."""
     for other in _OF_OTHERS:
         with about('busy'):
-            diagnose(learner, 'busy', third='tools.py', other=other)
+            diagnose(learner, 'busy', plain=True, third='tools.py', other=other)
 
 
 def _frame(file: str, line: int, function: str) -> str:
