@@ -186,7 +186,7 @@ def value(node):
 def value(node):
     return value(node.body) if isinstance(node, ast.IfExp) else node.value if isinstance(node, ast.Constant) else None
 """),
-    Mutant('keyword_of_another_function', breaks='no-text', expect='It is no text that names',
+    Mutant('keyword_of_another_function', breaks='keyword', expect='The keyword of a node is node_name',
            old='keywords.get(keyword)',
            new="next((keywords[k] for k in ('node_name', 'topic', 'srv_name') if k in keywords), None)"),
     Mutant('class_is_over_after_another_one', breaks='super', expect='a class in a class has bases of its own', imports="""
