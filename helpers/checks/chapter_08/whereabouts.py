@@ -66,7 +66,7 @@ def judge_given(learner) -> None:
         node = learner.start('Courier')
         learner.run(0.3)
         before = len(commands.messages)
-        for count, size in enumerate((1.0, 0.0, draw.uniform(0.02, 0.1), draw.uniform(5.0, 20.0)), 1):
+        for count, size in enumerate((1.0, 0.0, draw.uniform(0.02, 0.1), draw.uniform(12.0, 40.0)), 1):
             signs = draw.choice([-1, 1]), draw.choice([-1, 1])
             speeds = size * signs[0] * draw.uniform(0.1, 0.4), size * signs[1] * draw.uniform(0.5, 0.9)
             node.call('drive', *speeds)
