@@ -119,6 +119,8 @@ def test_cancel(learner):
             Job('D', 0.2, draw.randint(1, 3)),
         )
         printer.judge()
+    printer.tell(Job('E', 0.0, 3), Job('next', 0.1, 1, 2, cancel_at=draw.choice([0.3, 0.7])), Job('F', 0.1, 1, 1))
+    printer.judge()
     check_at_the_end(printer, draw)
     check_first_page(Printer(learner, 1, '/new'), draw)
     # One that waits behind many others.
