@@ -3,6 +3,23 @@ from grading.variants import Mutant
 BASES = "if function in PLACES and (function != '__init__' or {'Node', 'LifecycleNode'} & set(bases)):"
 WORDS = 'return all(WORD.fullmatch(word) for word in words)'
 PATTERN = '[a-z][a-z0-9]*(_[a-z0-9]+)*'
+# The given `calls`, written as a visitor; a wrong answer adds what it does in a class or a function.
+VISITOR = '''
+def calls(text):
+    visitor = Calls()
+    visitor.visit(ast.parse(text))
+    return visitor.found
+
+
+class Calls(ast.NodeVisitor):
+    def __init__(self):
+        self.bases, self.found = [], []
+
+    def visit_Call(self, node):
+        words = {word.arg: value(word.value) for word in node.keywords}
+        self.found.append((last_name(node.func), [value(one) for one in node.args], words, self.bases))
+        self.generic_visit(node)
+'''
 
 MUTANTS = [
     Mutant('absolute_is_fine', old="removeprefix('~/').", new="removeprefix('~/').removeprefix('/').",
@@ -142,11 +159,7 @@ MUTANTS = [
     Mutant('kinds_by_another_name', old="'create_publisher': ('topic', 1, 'topic')",
            new="'create_publisher': ('publisher', 1, 'topic')", expect='Expected: the topic', breaks='topic',
            also=('keyword', 'once')),
-    Mutant('not_in_async_functions', breaks='node', expect='A call counts wherever it stands', imports="""
-class Calls(ast.NodeVisitor):
-    def __init__(self):
-        self.bases, self.found = [], []
-
+    Mutant('not_in_async_functions', breaks='node', expect='A call counts wherever it stands', imports=VISITOR + """
     def visit_AsyncFunctionDef(self, node):
         pass
 
@@ -154,17 +167,6 @@ class Calls(ast.NodeVisitor):
         outer, self.bases = self.bases, [last_name(base) for base in node.bases]
         self.generic_visit(node)
         self.bases = outer
-
-    def visit_Call(self, node):
-        words = {word.arg: value(word.value) for word in node.keywords}
-        self.found.append((last_name(node.func), [value(one) for one in node.args], words, self.bases))
-        self.generic_visit(node)
-
-
-def calls(text):
-    visitor = Calls()
-    visitor.visit(ast.parse(text))
-    return visitor.found
 """),
     Mutant('letters_are_no_topics', breaks='topic', also='service', expect='It has words that are joined by /',
            old="return all(WORD.fullmatch(word) for word in words) and (kind != 'package' or len(name) > 1)",
@@ -189,25 +191,10 @@ def value(node):
     Mutant('keyword_of_another_function', breaks='keyword', expect='The keyword of a node is node_name',
            old='keywords.get(keyword)',
            new="next((keywords[k] for k in ('node_name', 'topic', 'srv_name') if k in keywords), None)"),
-    Mutant('class_is_over_after_another_one', breaks='super', expect='a class in a class has bases of its own', imports="""
-class Calls(ast.NodeVisitor):
-    def __init__(self):
-        self.bases, self.found = [], []
-
+    Mutant('class_is_over_after_another_one', breaks='super', expect='a class in a class has bases of its own', imports=VISITOR + """
     def visit_ClassDef(self, node):
         self.bases = [last_name(base) for base in node.bases]
         self.generic_visit(node)
-
-    def visit_Call(self, node):
-        words = {word.arg: value(word.value) for word in node.keywords}
-        self.found.append((last_name(node.func), [value(one) for one in node.args], words, self.bases))
-        self.generic_visit(node)
-
-
-def calls(text):
-    visitor = Calls()
-    visitor.visit(ast.parse(text))
-    return visitor.found
 """),
     Mutant('keeps_what_it_has_found', breaks='once',
            also=('package', 'node', 'super', 'topic', 'service', 'word', 'keyword', 'no-text', 'files', 'sorted'),
