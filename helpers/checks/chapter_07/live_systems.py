@@ -28,7 +28,7 @@ from helpers.programs.faults.mystery import MACHINES, ROOMS, Drawn, lacks, lines
 from helpers.programs.faults.rates import ENOUGH, TOO_MANY
 from helpers.runner import broken, expect
 from helpers.runner.elsewhere import Elsewhere
-from helpers.runner.load import busy
+from helpers.runner.load import busy, share
 from helpers.runner.verdicts import ExpectationFailed
 
 EXAMPLE = 'my name'  # what the cell has at first
@@ -39,7 +39,7 @@ QUICK = 0.5  # s for four lines of the panel; with its timer of 0.3 s they take 
 LONGEST, MOST_LINES = 1500, 40  # letters, lines
 FEW_NUMBERS = 4  # of which one is the rate; of more, at least half
 _WINDOW = 9  # so many messages before the last one tell a rate or a speed
-BUSY = 3  # so many times as long on a busy machine
+BUSY, VERY_BUSY = 3, 6  # so many times as long on a busy machine; on one with far too much to do, at most
 # What the evidence of a cause must have in it, in words.
 WANTED = {
     ('no_data', 'name'): 'the topic that the panel asks for',
@@ -254,7 +254,7 @@ def run(learner, who: str, answers: dict[int, list], panel_first: bool = False) 
             running[number] = held.enter_context(_Copy(learner, system, texts, other, panel_first))
         begin = time.monotonic()
         while running:
-            late = time.monotonic() - begin > PATIENCE * (BUSY if busy() else 1)
+            late = time.monotonic() - begin > PATIENCE * _times_as_long()
             for number, copy in list(running.items()):
                 outcomes[number] = copy.lacks()
                 if not outcomes[number] or late or copy.ended():
@@ -262,6 +262,11 @@ def run(learner, who: str, answers: dict[int, list], panel_first: bool = False) 
                     del running[number]
             time.sleep(0.05)
     return outcomes
+
+
+def _times_as_long() -> float:
+    """How much more time a system has, as this machine is now."""
+    return min(VERY_BUSY, max(BUSY, 1 / share())) if busy() else 1
 
 
 class _Copy:
