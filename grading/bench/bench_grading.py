@@ -1,14 +1,13 @@
 """Grading: a submission of two pure functions and a talker, in the sandbox, from start to gradebook.
 
 `start` is once per run of grade, the parts are per submission. Every mark is verified. Besides, the solutions of the
-whole course as one learner's submission, alone on the machine: from start to gradebook, and the processor time in it.
+whole course as one learner's submission, alone on the machine, from start to gradebook.
 
 The other graders get the same answers with a test for each. The course then grades as they do, one submission at a
 time, in a program that is started for it; see `grading.bench.peers` for what else differs.
 """
 
 import ast
-import resource
 import subprocess
 import sys
 import tempfile
@@ -137,11 +136,22 @@ def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[fl
 def _whole(output: Path) -> Iterator[Figure]:
     """The solutions of all chapters, graded alone with cold servers."""
     course = Course.here()
+    work = Submission('learner', output, solved(course))
+    station.close()
+    begin = time.perf_counter()
+    records = grade.grade([work], course, output, JOBS)
+    seconds = time.perf_counter() - begin
+    _verify(record.score == record.points for record in records)
+    yield Figure(f'all {len(course.exercises)} exercises, 1 submission, {JOBS} at a time', seconds, 's')
+
+
+def solved(course: Course) -> dict[str, bytes]:
+    """What a learner hands in whose answers are the course's solutions: notebooks, and the files of packages."""
+    notebooks = {exercise.notebook for exercise in course.exercises}
     files = {
-        exercise.notebook: authored.dumps(authored.solved(chapters.read(path))).encode()
+        name: authored.dumps(authored.solved(chapters.read(path))).encode()
         for path in chapters.sources(reference.SOLUTIONS)
-        for exercise in course.exercises
-        if exercise.notebook == f'{path.stem}.ipynb'
+        if (name := f'{path.stem}.ipynb') in notebooks
     }
     cells = variants.solved_cells(reference.SOLUTIONS)
     for exercise in course.exercises:
@@ -149,20 +159,7 @@ def _whole(output: Path) -> Iterator[Figure]:
             [assigned] = [line for line in ast.parse(cells[exercise.id]).body if isinstance(line, ast.Assign)][:1]
             package = ast.literal_eval(assigned.value)
             files |= {f'{exercise.folder}/{name}': text.encode() for name, text in package.items()}
-    station.close()
-    before, begin = _processor(), time.perf_counter()
-    records = grade.grade([Submission('learner', output, files)], course, output, JOBS)
-    seconds = time.perf_counter() - begin
-    station.close()
-    _verify(record.score == record.points for record in records)
-    yield Figure(f'all {len(course.exercises)} exercises, 1 submission, {JOBS} at a time', seconds, 's')
-    yield Figure('  processor time in it', _processor() - before, 's')
-
-
-def _processor() -> float:
-    """Seconds of processor time of this process and of its children that have ended."""
-    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(one.ru_utime + one.ru_stime for one in used)
+    return files
 
 
 def _parts(course: Course) -> Iterator[Figure]:

@@ -4,6 +4,8 @@ import pytest
 
 from grading.bench import bench_grading, bench_helpers, bench_idle, bench_notebooks, bench_setup, machine_facts
 from grading.bench.peers import timing
+from grading.course import Course
+from grading.submission import Submission
 from helpers import paths
 
 
@@ -35,6 +37,7 @@ def test_grading_is_compared_on_the_same_terms(monkeypatch):
     monkeypatch.setattr(bench_grading.sandbox, 'problem', lambda: '')
     monkeypatch.setattr(bench_grading, '_run', lambda course, count, output: (3.0 * count, 2**20))
     monkeypatch.setattr(bench_grading, '_parts', lambda course: ())
+    monkeypatch.setattr(bench_grading, '_whole', lambda output: ())
     monkeypatch.setattr(bench_grading, '_program', lambda count: asked.append(('course', count)) or 5.0)
     monkeypatch.setattr(timing, 'seconds', lambda peer, count: asked.append((peer, count)) or 20.0)
     compared = [figure for figure in bench_grading.measure() if figure.reference]
@@ -43,6 +46,13 @@ def test_grading_is_compared_on_the_same_terms(monkeypatch):
         ('otter run', 0.5, 0.25),
     ]
     assert asked == [('course', 10), ('nbgrader autograde', 10), ('course', 10), ('otter run', 10)]
+
+
+def test_the_submission_of_the_whole_course_has_an_answer_to_each_exercise(tmp_path):
+    course = Course.here()
+    work = Submission('learner', tmp_path, bench_grading.solved(course))
+    found = work.programs(course.exercises, course.exercises)
+    assert not found.without and found.programs.keys() == {exercise.id for exercise in course.exercises}
 
 
 def test_a_notebook_that_fails_is_no_figure(tmp_path, monkeypatch):
