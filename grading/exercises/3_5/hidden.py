@@ -57,8 +57,8 @@ def test_safety_stop(learner):
     )
     stops.check_again(learner, lidar, stop, scan, wanted[-1])
     stops.check_silence(learner, stop)
-    stops.check_own_topic(learner, node, lidar, stop)
-    stops.check_unheard(learner, node)
+    stops.check_unheard(learner, node, stop)
+    stops.check_own_topic(learner, lidar, stop)
 
 
 @pytest.mark.rules('stop')

@@ -6,8 +6,11 @@ from helpers.checks.chapter_03.endpoints import check_topic, robot
 from helpers.runner import expect, waiting
 
 
-def check_starts(learner) -> None:
-    """Two heartbeats, of which one starts a quarter of a second after the other, begin with True and with 1."""
+def check_starts(learner):
+    """Two heartbeats, of which one starts a quarter of a second after the other, begin with True and with 1.
+
+    Returns the second one.
+    """
     space = robot(learner.random)
     with waiting('no-wait'):
         learner.run(learner.random.uniform(2.0, 9.0), step=10.0)
@@ -17,7 +20,7 @@ def check_starts(learner) -> None:
         )
         begin = learner.now / 1e9
         with waiting('no-wait'):
-            learner.start('Heartbeat', remap={'__ns': f'{space}{name}'})
+            node = learner.start('Heartbeat', remap={'__ns': f'{space}{name}'})
             learner.run(1.25, step=0.5)
         if not led.data and not uptime.data:  # who says nothing has not begun rightly
             check_topic(learner, 'publisher', f'{space}{name}', 'led', 'topics')
@@ -34,16 +37,19 @@ def check_starts(learner) -> None:
             'expected 1.',
             'uptime',
         )
+    return node
 
 
-def check_unheard(learner) -> None:
+def check_unheard(learner, node=None) -> None:
     """A heartbeat that nobody hears blinks and counts all the same: who begins to listen hears that.
 
     Other tests look at the rhythm; here only what one says who begins anew with its first listener.
+
+    :param node: a heartbeat in whose program this one is made.
     """
     space, seconds = '/unheard', learner.random.randint(3, 6)
     with waiting('no-wait'):
-        learner.start('Heartbeat', remap={'__ns': space})
+        learner.start('Heartbeat', beside=node, remap={'__ns': space})
         learner.run(seconds + 0.35, step=0.5)  # the next message on led says False
     led, uptime = (learner.listen(f'{space}/{topic}', kind) for topic, kind in (('led', Bool), ('uptime', Int32)))
     learner.settle()
