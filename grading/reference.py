@@ -21,7 +21,7 @@ def solved(number: int) -> tuple[notebooks.NotebookCell, ...]:
     :raises LookupError: its source is not here, as where only marks are given.
     """
     from grading.authoring import chapter as chapters  # both are needed rarely
-    from grading.authoring import notebooks as authored
+    from grading.authoring import notebook_pair as authored
 
     for path in chapters.sources(SOLUTIONS):
         if path.name.startswith(f'{number:02}_'):

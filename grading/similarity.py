@@ -34,7 +34,7 @@ from itertools import combinations
 
 from grading import idle_code, reader
 from helpers import paths
-from helpers.exercises import cell_python, definitions, notebooks, packages, program
+from helpers.exercises import cell_python, definitions, notebooks, package_answers, program
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import NotebookCell
 
@@ -287,12 +287,12 @@ def _given(notebook: str) -> frozenset[str]:
 def _programs_of(exercise: Exercise, files: Mapping[str, bytes]) -> list[str]:
     """The text that stands for a package, if there is one."""
     try:
-        made = packages.of_submission(exercise, files).cells[-1]['source']
+        made = package_answers.of_submission(exercise, files).cells[-1]['source']
     except (program.InvalidExercise, program.NotAttempted):
         return []
     texts = ast.literal_eval(ast.parse(made).body[-1].value)  # type: ignore[attr-defined]
     own = {name: text for name, text in texts.items() if name.endswith('.py') and name not in _GIVEN}
-    return [packages.source(exercise, own)]
+    return [package_answers.source(exercise, own)]
 
 
 def prints_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]):

@@ -1,6 +1,6 @@
 """What one learner hands in: a zip made by `submit`, a folder of notebooks, or one notebook.
 
-A zip may also hold packages that are answers (`helpers.exercises.packages`).
+A zip may also hold packages that are answers (`helpers.exercises.package_answers`).
 
 `grading.submissions` finds them. What looks into them runs in a child process with bounds: see `grading.reader`.
 
@@ -26,11 +26,11 @@ from unicodedata import normalize
 from grading import reader
 from grading.late import is_stamp, stamp
 from grading.record import Attempt
-from helpers.exercises import notebooks, packages, program
+from helpers.exercises import notebooks, package_answers, program
+from helpers.exercises.handing_in import LEARNER
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.migration_files import BACKUP
 from helpers.exercises.notebooks import InvalidSubmission, NotebookCell
-from helpers.exercises.submit import LEARNER
 from helpers.runner import results, verdicts
 
 MAX_ARCHIVE = 50 * 2**20  # bytes of a zip
@@ -61,7 +61,7 @@ class Programs(NamedTuple):
 class Submission:
     """One learner's work, or what makes it unreadable.
 
-    `files`: the notebooks' bytes by file name, and those of packages, see `helpers.exercises.packages.place`.
+    `files`: the notebooks' bytes by file name, and those of packages, see `helpers.exercises.package_answers.place`.
     `unusable`: for notebooks, and for folders of packages, why they cannot be used.
     """
 
@@ -124,12 +124,12 @@ def programs(
     except InvalidSubmission as problem:
         cells, without = None, (verdicts.INVALID_SUBMISSION, str(problem))
     for exercise in exercises:
-        if cells is None and not packages.handed_in(exercise, files, unusable):
+        if cells is None and not package_answers.handed_in(exercise, files, unusable):
             whys[exercise.id] = without
             continue
         try:
             if exercise.folder:
-                found[exercise.id] = packages.of_submission(exercise, files, unusable).as_dict()
+                found[exercise.id] = package_answers.of_submission(exercise, files, unusable).as_dict()
             else:
                 found[exercise.id] = program.build(cells or [], exercise).as_dict()
         except program.NotAttempted as reason:
@@ -287,7 +287,7 @@ def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, submission: 
         raise InvalidSubmission('The zip is encrypted: hand in a file made by submit.')
     if member.filename == 'submission.json':
         _read_label(_bounded(archive, member, 10_000), submission)
-    elif place := packages.place(member.filename):
+    elif place := package_answers.place(member.filename):
         _add_file(submission, *place, archive, member)
     else:
         name = member.filename.rpartition('/')[2]
@@ -298,7 +298,7 @@ def _is_work(member: zipfile.ZipInfo) -> bool:
     """Whether a member of a zip is read. Nothing is asked of the others: they may be links, or of any number."""
     name = member.filename
     return not (member.is_dir() or _aside(name)) and (
-        name == 'submission.json' or is_notebook(name.rpartition('/')[2]) or packages.place(name) is not None
+        name == 'submission.json' or is_notebook(name.rpartition('/')[2]) or package_answers.place(name) is not None
     )
 
 
@@ -357,9 +357,9 @@ def _add_file(
     size = sum(len(files[other]) for other in mine)
     if key in files:
         submission.unusable[folder] = f'There are two files called {key} in the zip: make it again with submit.'
-    elif len(mine) <= packages.MAX_FILES and size <= packages.MAX_BYTES:  # else there are too many already
+    elif len(mine) <= package_answers.MAX_FILES and size <= package_answers.MAX_BYTES:  # else they are too many
         with archive.open(member) as file:
-            files[key] = file.read(packages.MAX_FILE + 1)
+            files[key] = file.read(package_answers.MAX_FILE + 1)
 
 
 def is_notebook(name: str) -> bool:

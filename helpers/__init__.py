@@ -29,7 +29,7 @@ _HOME = {
     'Workspace': 'programs.workspace',
     'background': 'programs.processes',
     'cell_text': 'exercises.cell_text',
-    'check': 'exercises.check',
+    'check': 'exercises.exercise_check',
     'collect': 'kernel.waiting',
     'parameter_sliders': 'show.parameter_sliders',
     'resume': 'exercises.resuming',
@@ -43,7 +43,7 @@ _HOME = {
     'show_turtle': 'show.turtle_view',
     'spin_for': 'kernel.waiting',
     'spinning': 'kernel.spinning',
-    'submit': 'exercises.submit',
+    'submit': 'exercises.handing_in',
     'timeline': 'show.timeline',
     'wait_for': 'kernel.waiting',
 }

@@ -8,7 +8,7 @@ The directive stands where the card's heading comes::
     ```
 
 `names` are what the answer cell must define, `check` (optional) the tags of the check cell. With `folder`, such as
-`my_ws/src/patrol`, the answer is a package in this folder beside the notebook: see `helpers.exercises.packages`.
+`my_ws/src/patrol`, the answer is a package in this folder beside the notebook: see `helpers.exercises.package_answers`.
 `earlier` is how the digests begin of stubs that earlier versions of the course gave: an exercise with one of these is
 not attempted either.
 
@@ -22,7 +22,7 @@ from dataclasses import dataclass
 import yaml
 
 from grading.authoring.chapter_errors import CellError
-from helpers.exercises import packages
+from helpers.exercises import package_answers
 from helpers.exercises.manifest import Rule
 
 LEVEL = '###'
@@ -150,11 +150,11 @@ def declared(head: str, options: list[str], offset: int, chapter: int) -> Card:
         raise CardError(offset, f'{label} without names', 'add :names: what the answer cell must define')
     tags = tuple(filter(None, re.split(r'[,\s]+', values.get('check', ''))))
     folder = values.get('folder', '')
-    if folder and (not _FOLDER.fullmatch(folder) or names != (packages.NAME,)):
+    if folder and (not _FOLDER.fullmatch(folder) or names != (package_answers.NAME,)):
         raise CardError(
             offset,
             f'{label} has the folder {folder!r} and the names {", ".join(names)}',
-            f'write :folder: NAME_ws/src/PACKAGE and :names: {packages.NAME}',
+            f'write :folder: NAME_ws/src/PACKAGE and :names: {package_answers.NAME}',
         )
     earlier = tuple(part.strip() for part in values.get('earlier', '').split(',') if part.strip())
     if wrong := [part for part in earlier if not _EARLIER.fullmatch(part)]:

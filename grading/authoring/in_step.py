@@ -1,7 +1,7 @@
 """Proves that the generated files are in step with their sources, without running anything."""
 
-from grading.authoring import build, figures, notebooks
-from grading.authoring.build import Tree
+from grading.authoring import chapter_build, figures, notebook_pair
+from grading.authoring.chapter_build import Tree
 from helpers.exercises import manifest
 
 
@@ -10,11 +10,11 @@ def drift(tree: Tree) -> list[str]:
 
     :raises ChapterErrors: the sources themselves have mistakes.
     """
-    chapters = build.read_all(tree)
+    chapters = chapter_build.read_all(tree)
     lines = []
     for chapter in chapters:
-        lines += [f'solutions/{chapter.name}.ipynb {what}' for what in build.solved_drift(tree, chapter)]
-        lines += _text_drift(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)), tree)
+        lines += [f'solutions/{chapter.name}.ipynb {what}' for what in chapter_build.solved_drift(tree, chapter)]
+        lines += _text_drift(tree.learner(chapter), notebook_pair.dumps(notebook_pair.learner(chapter)), tree)
     rows = [row for chapter in chapters for row in chapter.exercises()]
     lines += _text_drift(tree.manifest, manifest.dumps(rows), tree)
     pictures = figures.pictures(tree.figures)
@@ -25,7 +25,7 @@ def drift(tree: Tree) -> list[str]:
         for path in sorted(tree.pictures.glob('*'))
         if path.name not in pictures
     ]
-    for name, text in build.pages(tree).items():
+    for name, text in chapter_build.pages(tree).items():
         lines += _text_drift(tree.notebooks / name, text, tree)
     names = {f'{chapter.name}.ipynb' for chapter in chapters}
     for folder in (tree.solutions, tree.notebooks):

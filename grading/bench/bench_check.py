@@ -8,7 +8,7 @@ from pathlib import Path
 
 from helpers import paths
 from helpers.exercises import definitions, manifest, notebooks, program
-from helpers.tests.kernels import Kernel
+from helpers.tests.real_kernel import Kernel
 
 CHAPTER = 3
 REPEATS = 3

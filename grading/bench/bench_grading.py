@@ -18,9 +18,9 @@ from pathlib import Path
 
 import psutil
 
-from grading import grade, reference, sandbox, variants
+from grading import grading_run, reference, sandbox, variants
 from grading.authoring import chapter as chapters
-from grading.authoring import notebooks as authored
+from grading.authoring import notebook_pair as authored
 from grading.bench import Figure, timed_sheet
 from grading.course import Course
 from grading.sandbox import station
@@ -127,7 +127,7 @@ def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[fl
     ]
     with _Peak() as peak:
         begin = time.perf_counter()
-        records = grade.grade(works, course, output, jobs)
+        records = grading_run.grade(works, course, output, jobs)
         seconds = time.perf_counter() - begin
     _verify(record.score == record.points for record in records)
     return seconds, peak.bytes
@@ -139,7 +139,7 @@ def _whole(output: Path) -> Iterator[Figure]:
     work = Submission('learner', output, solved(course))
     station.close()
     begin = time.perf_counter()
-    records = grade.grade([work], course, output, JOBS)
+    records = grading_run.grade([work], course, output, JOBS)
     seconds = time.perf_counter() - begin
     _verify(record.score == record.points for record in records)
     yield Figure(f'all {len(course.exercises)} exercises, 1 submission, {JOBS} at a time', seconds, 's')

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from grading.bench import Figure
-from helpers.tests.kernels import Kernel
+from helpers.tests.real_kernel import Kernel
 
 STARTS = 5
 _PEER = 'plain rclpy program'

@@ -35,7 +35,7 @@ def build(
     timeout: Annotated[float, typer.Option(help='Longest time of one cell, in seconds.')] = 60.0,
 ):
     """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""
-    from grading.authoring import build as builder
+    from grading.authoring import chapter_build as builder
     from grading.authoring.chapter import sources
     from grading.authoring.chapter_errors import ChapterErrors
 
@@ -63,7 +63,7 @@ def build(
 
 def _check(tree, count: int) -> int:
     """Print which generated files of the `count` chapters are out of step; returns the exit status."""
-    from grading.authoring import build as builder
+    from grading.authoring import chapter_build as builder
     from grading.authoring import in_step
 
     lines = in_step.drift(tree)

@@ -65,8 +65,8 @@ def grade(
     from rich.console import Console
 
     from grading import adjustments as manual
-    from grading import folder, plan, progress
-    from grading import grade as grader
+    from grading import folder, grading_progress, plan
+    from grading import grading_run as grader
     from grading import late as lateness
     from grading.submissions import find
     from helpers.runner import bytecode, stopping
@@ -96,7 +96,7 @@ def grade(
         with console.status('Compiling Python modules'):
             bytecode.store()
             bytecode.store_installed()
-        with progress.Shown(console) as shown:
+        with grading_progress.Shown(console) as shown:
             records = grader.grade(found, course, output, jobs, shown, settings)
     except refused as error:
         raise Refusal(str(error)) from None

@@ -46,7 +46,7 @@ def release(
         return
     if chapter:
         raise Refusal("--chapter is for --gradescope: the learners' edition always has all chapters")
-    from grading import release as edition
+    from grading import learners_edition as edition
 
     try:
         files = edition.release(output, classroom=classroom)

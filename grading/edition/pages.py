@@ -16,8 +16,8 @@ import nbformat
 from jinja2 import Environment, FileSystemLoader
 from nbconvert import HTMLExporter
 
-from grading.authoring import build as builder
-from grading.authoring import execution, figures, notebooks, outputs
+from grading.authoring import chapter_build as builder
+from grading.authoring import execution, figures, notebook_pair, outputs
 from grading.authoring.chapter import Chapter
 from grading.authoring.chapter_errors import AuthoringError, ChapterErrors
 from grading.edition import file_lexer
@@ -109,7 +109,7 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
     Exercises are as the learner gets them; they and checks print nothing. Links to other chapters lead to their pages,
     figures are beside the pages. Of a drawing with two forms, the page itself holds the SVG.
     """
-    for cell, stub in zip(notebook.cells, notebooks.learner(chapter).cells, strict=True):
+    for cell, stub in zip(notebook.cells, notebook_pair.learner(chapter).cells, strict=True):
         if 'exercise' in cell.metadata or cell.cell_type == 'code' and cell.source.startswith('check('):
             cell.source, cell.outputs, cell.execution_count = stub.source, [], None
         elif cell.cell_type == 'markdown':
@@ -133,7 +133,7 @@ def scenes_of(notebook: nbformat.NotebookNode) -> list[str]:
 
 
 def _has_views(chapter: Chapter) -> bool:
-    return any('TfView(' in cell.source for cell in notebooks.learner(chapter).cells if cell.cell_type == 'code')
+    return any('TfView(' in cell.source for cell in notebook_pair.learner(chapter).cells if cell.cell_type == 'code')
 
 
 def _recorded(
@@ -141,7 +141,7 @@ def _recorded(
 ) -> nbformat.NotebookNode:
     """Execute a chapter; what its views show goes to `folder`."""
     say(f'{chapter.name}: executing, for its 3-D scenes')
-    notebook = notebooks.solved(chapter)
+    notebook = notebook_pair.solved(chapter)
     try:
         execution.execute(notebook, chapter, tree.notebooks, timeout, {recording.VARIABLE: str(folder)})
     except AuthoringError as error:

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from grading import release, sandbox
+from grading import learners_edition, sandbox
 from grading.course import ChapterError, Course
 from grading.gradescope.harness import CONFIG
 from grading.reports import gradescope
@@ -62,7 +62,7 @@ def bundle(
         for name in SCRIPTS:
             _add(archive, name, (Path(__file__).parent / name).read_bytes(), True)
         _add(archive, CONFIG, (json.dumps(settings, indent=2) + '\n').encode(), False)
-        for name in release.files(root, LEFT_OUT):
+        for name in learners_edition.files(root, LEFT_OUT):
             if ANSWERS.fullmatch(name):
                 continue
             path = root / name

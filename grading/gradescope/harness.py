@@ -18,7 +18,7 @@ from grading.record import Record
 from grading.reports import gradescope
 from grading.submission import written
 from helpers import paths
-from helpers.exercises import packages
+from helpers.exercises import package_answers
 
 CONFIG = 'autograder.json'
 MAX_NOTEBOOKS = 100
@@ -107,9 +107,10 @@ def _notebooks(folder: Path, pattern: str) -> list[Path]:
 
 def _of_packages(folder: Path) -> list[Path]:
     """The files of packages; no more than one of them too many, which grading then says."""
-    inside = (path for path in folder.rglob('*') if packages.place(path.relative_to(folder).as_posix()))
-    small = (path for path in inside if _is_handed_in(path, folder) and path.stat().st_size <= 2 * packages.MAX_FILE)
-    return sorted(itertools.islice(small, packages.MAX_FILES + 1))
+    inside = (path for path in folder.rglob('*') if package_answers.place(path.relative_to(folder).as_posix()))
+    most = 2 * package_answers.MAX_FILE
+    small = (path for path in inside if _is_handed_in(path, folder) and path.stat().st_size <= most)
+    return sorted(itertools.islice(small, package_answers.MAX_FILES + 1))
 
 
 def _is_handed_in(path: Path, folder: Path) -> bool:

@@ -9,14 +9,14 @@ import signal
 import sys
 from pathlib import Path
 
-from grading import grade, parallel, unit
+from grading import grading_run, parallel, unit
 from grading.submission import Submission
 from helpers.runner.results import ExerciseResult
 from helpers.tests import small
 
 LEARNERS = ('ada', 'bob', 'eve', 'fay')
-SETTINGS = grade.Settings(seed='s')
-COURSE = grade.Course((small.exercise(1), small.exercise(2, points=5)), Path('none'), Path('none'), 'none')
+SETTINGS = grading_run.Settings(seed='s')
+COURSE = grading_run.Course((small.exercise(1), small.exercise(2, points=5)), Path('none'), Path('none'), 'none')
 
 
 def works(*learners: str) -> list[Submission]:
@@ -76,7 +76,7 @@ def _killed(output: Path, moment: int, before: bool) -> bool:
 
         os.replace = counted
         try:
-            grade.grade(works(), COURSE, output, 2, settings=SETTINGS)
+            grading_run.grade(works(), COURSE, output, 2, settings=SETTINGS)
             os._exit(0)
         finally:
             os._exit(1)
@@ -89,8 +89,8 @@ def main(folder: Path) -> None:
     """Kill runs at every moment; prints how many moments there were."""
     parallel.units.perform = perform
     os.fsync = lambda descriptor: None  # a killed process needs none
-    grade.Course.digests = property(lambda course: {exercise.id: 'same' for exercise in course.exercises})
-    grade.grade(works(), COURSE, folder / 'undisturbed', 2, settings=SETTINGS)
+    grading_run.Course.digests = property(lambda course: {exercise.id: 'same' for exercise in course.exercises})
+    grading_run.grade(works(), COURSE, folder / 'undisturbed', 2, settings=SETTINGS)
     expected = contents(folder / 'undisturbed')
     moment, killed = 0, True
     while killed:
@@ -99,9 +99,9 @@ def main(folder: Path) -> None:
         killed = _killed(output, moment, before=moment % 2 == 0)
         there = {path.stem for path in (output / 'results').glob('[a-z]*.json')}
         fresh = []
-        listener = grade.Listener()
+        listener = grading_run.Listener()
         listener.finished = lambda record, new, changes, fresh=fresh: new and fresh.append(record.learner)
-        grade.grade(works(), COURSE, output, 2, listener, SETTINGS)
+        grading_run.grade(works(), COURSE, output, 2, listener, SETTINGS)
         assert sorted(fresh) == sorted(set(LEARNERS) - there), (moment, fresh, there)
         assert contents(output) == expected, moment
         shutil.rmtree(output)

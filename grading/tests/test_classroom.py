@@ -4,7 +4,7 @@ import re
 
 import yaml
 
-from grading import classroom, release
+from grading import classroom, learners_edition
 from helpers.exercises import manifest
 from helpers.tests import small
 
@@ -45,8 +45,8 @@ def test_it_may_do_little_and_knows_no_secret():
 
 
 def test_only_when_asked_for(tmp_path):
-    files = release.release(tmp_path / 'a', classroom=True)
+    files = learners_edition.release(tmp_path / 'a', classroom=True)
     assert classroom.PATH in files
     text = (tmp_path / 'a' / classroom.PATH).read_text()
     assert text == classroom.workflow(manifest.load().values())
-    assert classroom.PATH not in release.files(release.paths.ROOT)
+    assert classroom.PATH not in learners_edition.files(learners_edition.paths.ROOT)

@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from grading import grade, parallel
+from grading import grading_run, parallel
 from grading.submission import Submission
 from helpers import paths
 from helpers.tests import small
@@ -94,7 +94,7 @@ def test_workers_that_die(cluster, tmp_path):
     )  # three will die
     small.write_tests(tmp_path, 'import psutil\n' + DEADLY.format(flag=tmp_path / 'flag'), kind='exercises')
     (tmp_path / 'checks').mkdir()
-    course = grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'exercises', 'none')
+    course = grading_run.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'exercises', 'none')
     works = [
         Submission(
             name,
@@ -104,12 +104,14 @@ def test_workers_that_die(cluster, tmp_path):
         )
         for name in ('ada', 'bob', 'eve')
     ]
-    records = grade.grade(works, course, tmp_path / 'far', settings=grade.Settings(seed='s', cluster=address))
+    records = grading_run.grade(
+        works, course, tmp_path / 'far', settings=grading_run.Settings(seed='s', cluster=address)
+    )
     assert [(record.status, record.score) for record in records] == [
         ('graded', 10),
         ('graded', 10),
         ('grader_error', None),
     ]
     assert 'KilledWorker' in (tmp_path / 'far' / 'run.log').read_text()
-    (near,) = grade.grade(works[:1], course, tmp_path / 'near', settings=grade.Settings(seed='s'))
+    (near,) = grading_run.grade(works[:1], course, tmp_path / 'near', settings=grading_run.Settings(seed='s'))
     assert near == records[0]

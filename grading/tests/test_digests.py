@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from grading import release
+from grading import learners_edition
 from grading.course import Course
 from helpers import paths
 
@@ -16,7 +16,7 @@ BOTH = ('helpers', 'grading', 'environment')
 def tree(tmp_path_factory):
     """A copy of what a key could depend on."""
     root = tmp_path_factory.mktemp('tree')
-    for name in release.files(paths.ROOT, ()):
+    for name in learners_edition.files(paths.ROOT, ()):
         if name.startswith(BOTH) and 'tests/browser' not in name:
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(paths.ROOT / name, root / name)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from grading import release, similarity, submission
+from grading import learners_edition, similarity, submission
 from grading.gradescope import bundle, harness
 from grading.reports import gradescope
 from grading.tests.test_reports import validate
@@ -190,11 +190,11 @@ def test_refusals(tmp_path):
 @pytest.mark.one_of(3)
 def test_a_file_that_vanishes_meanwhile_is_left_out(tmp_path, monkeypatch):
     """Another program's scratch file, which git lists and which is gone when it is read."""
-    real = release.files
-    monkeypatch.setattr(release, 'files', lambda *given: [*real(*given), 'notebooks/gone.tmp'])
+    real = learners_edition.files
+    monkeypatch.setattr(learners_edition, 'files', lambda *given: [*real(*given), 'notebooks/gone.tmp'])
     names = bundle.bundle(tmp_path / 'a.zip', 'none')
     assert 'course/README.md' in names and 'course/notebooks/gone.tmp' not in names
-    assert 'README.md' in release.release(tmp_path / 'edition')
+    assert 'README.md' in learners_edition.release(tmp_path / 'edition')
 
 
 @pytest.mark.parametrize(

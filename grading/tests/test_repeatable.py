@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from grading import grade
+from grading import grading_run
 from grading.submission import Submission
 from helpers.tests import small
 
@@ -31,10 +31,10 @@ def busy_cores():
 @pytest.mark.timeout(400)
 def test_repeated_gradings_are_identical(tmp_path, busy_cores):
     hidden = small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
-    course = grade.Course((small.exercise(),), small.write_tests(tmp_path, small.VISIBLE), hidden)
+    course = grading_run.Course((small.exercise(),), small.write_tests(tmp_path, small.VISIBLE), hidden)
     content = {small.NOTEBOOK: small.solved(WRONG_TEXTS)}
     works = [Submission(f'learner{number:02}', Path('work.ipynb'), content) for number in range(REPEATS)]
-    records = grade.grade(works, course, tmp_path / 'out', jobs=2)
+    records = grading_run.grade(works, course, tmp_path / 'out', jobs=2)
     found = {
         (
             record.status,

@@ -11,13 +11,13 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
-from grading import anonymous, folder, grade, late, parallel, unit
+from grading import anonymous, folder, grading_run, late, parallel, unit
 from grading.adjustments import Adjustment, AdjustmentError
 from grading.choice import ChoiceError
 from grading.record import Record
 from grading.submission import Submission
 from grading.tests import runs
-from grading.tests.test_grade import Heard
+from grading.tests.test_grading_run import Heard
 from helpers import paths
 from helpers.cli import Refusal
 from helpers.cli.app import make_app
@@ -52,7 +52,9 @@ def done(monkeypatch):
 def run(course, output, *learners, works=None, jobs=2, **settings):
     """Grade; returns what was told, and the records by learner."""
     heard = Heard()
-    records = grade.grade(works or runs.works(*learners), course, output, jobs, heard, replace(SETTINGS, **settings))
+    records = grading_run.grade(
+        works or runs.works(*learners), course, output, jobs, heard, replace(SETTINGS, **settings)
+    )
     return heard, {record.learner: record for record in records}
 
 
@@ -241,8 +243,8 @@ def test_another_course_stops_the_run(course, tmp_path, monkeypatch):
     with pytest.raises(unit.Mismatch, match='is not the one that this run began with'):
         unit.perform(work)
     assert unit.perform(replace(work, digest=course.digest)).exercises[0].verdict == 'not_attempted'
-    here = grade.Course.here().packed()
-    assert not here.hidden.is_absolute() and here.unpacked() == grade.Course.here()
+    here = grading_run.Course.here().packed()
+    assert not here.hidden.is_absolute() and here.unpacked() == grading_run.Course.here()
 
 
 def test_lateness_and_adjustments(course, tmp_path, done):
@@ -343,7 +345,7 @@ def invoke(*arguments):
 @pytest.fixture
 def command(course, tmp_path, monkeypatch):
     """`./course grade` for the small course; returns a function."""
-    monkeypatch.setattr(grade.Course, 'here', lambda: course)
+    monkeypatch.setattr(grading_run.Course, 'here', lambda: course)
     (tmp_path / 'works').mkdir()
     for learner in ('ada', 'bob'):
         (tmp_path / 'works' / f'{learner}.ipynb').write_bytes(learner.encode())
@@ -368,7 +370,7 @@ def test_exit_status(command, tmp_path, monkeypatch):
 
 def test_an_assignment_of_one_chapter(command, course, tmp_path, monkeypatch):
     other = replace(course.exercises[0], id='91.1', chapter=91)
-    monkeypatch.setattr(grade.Course, 'here', lambda: replace(course, exercises=(*course.exercises, other)))
+    monkeypatch.setattr(grading_run.Course, 'here', lambda: replace(course, exercises=(*course.exercises, other)))
     monkeypatch.setattr(unit, 'perform', lambda work, say: _anything(work))
     assert 'ada: 15 of 15, graded' in command('--chapter', 90).output
     assert '0 of 2 submissions' in command().output  # the folder keeps the choice

@@ -15,7 +15,7 @@ import pytest
 from grading import late, reader, submission, submissions
 from grading.submission import Unusable
 from helpers import paths
-from helpers.exercises import manifest, submit
+from helpers.exercises import handing_in, manifest
 from helpers.tests import small
 
 LABEL = json.dumps({'format': 1, 'learner': 'ada'}).encode()
@@ -572,7 +572,7 @@ def test_what_cannot_be_read_is_that_submissions_own(tmp_path):
 
 
 def test_what_submit_packs_can_be_graded(tmp_path):
-    packed = submit.pack('ada', tmp_path / 'ada.zip')
+    packed = handing_in.pack('ada', tmp_path / 'ada.zip')
     read = submissions.read(packed.path)
     exercises = list(manifest.load().values())
     assert read.label == 'ada' and read.programs(exercises, exercises).without[exercises[0].id][0] == 'not_attempted'

@@ -15,7 +15,7 @@ from itertools import zip_longest
 
 import pytest
 
-from grading import grade, reference, trial, variants
+from grading import grading_run, reference, trial, variants
 from grading.authoring import chapter as chapters
 from grading.submissions import Submission
 from helpers import paths
@@ -135,7 +135,7 @@ def test_unsolved_notebook_gets_nothing_kindly(number):
     path = paths.NOTEBOOKS / f'{CHAPTERS[number].stem}.ipynb'
     work = Submission('ada', path, {path.name: path.read_bytes()})
     mine = tuple(exercise for exercise in EXERCISES.values() if exercise.chapter == number)
-    for result in grade.judge(work, grade.Course(mine)).exercises:
+    for result in grading_run.judge(work, grading_run.Course(mine)).exercises:
         assert (result.verdict, result.score) == ('not_attempted', 0)
         said = (
             'No package was handed in.' if EXERCISES[result.id].folder else f'Exercise {result.id} is not solved yet.'

@@ -19,7 +19,7 @@ def submit(
 
     from helpers.cli.progress import counted
     from helpers.exercises import manifest, result_display
-    from helpers.exercises.submit import SubmissionError, pack, tested
+    from helpers.exercises.handing_in import SubmissionError, pack, tested
 
     console = Console(highlight=False, soft_wrap=True)
     try:

@@ -22,7 +22,7 @@ from helpers.exercises import (
     manifest,
     migration_files,
     notebooks,
-    packages,
+    package_answers,
     program,
 )
 from helpers.exercises.migration_report import CarriedOver, MigrationError, MigrationReport
@@ -380,7 +380,7 @@ def _carry_package(
         report.exercises.append(CarriedOver(exercise.id, clean(said), lost))
 
     try:
-        old, new = packages.read(source, name), packages.read(folder, name)
+        old, new = package_answers.read(source, name), package_answers.read(folder, name)
     except program.InvalidExercise as error:
         say(f'its package cannot be copied: {error}', lost=True)
         return

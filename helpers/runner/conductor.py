@@ -11,8 +11,8 @@ from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
 from std_msgs.msg import UInt64
 
-from helpers.runner import rates
 from helpers.runner import silent_endpoints as silent
+from helpers.runner import sleeping_threads
 from helpers.runner.loaded_program import LoadedProgram, RequestError
 from helpers.runner.mistakes import CALLBACK_WORK, STEADY_WORK
 from helpers.runner.rclpy_changes import Outgoing, watch_actions
@@ -30,7 +30,7 @@ class Conductor:
         token: str,
         program: LoadedProgram,
         executor: SingleThreadedExecutor,
-        sleepers: rates.Sleepers,
+        sleepers: sleeping_threads.Sleepers,
         outgoing: Outgoing,
     ):
         self.program, self.sleepers, self.outgoing = program, sleepers, outgoing

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, replace
 from itertools import zip_longest
 from pathlib import Path
 
-from helpers.exercises import manifest, notebooks, packages, program
+from helpers.exercises import manifest, notebooks, package_answers, program
 from helpers.exercises.manifest import Exercise
 from helpers.runner import results, seeds, start_processes, stopping, tests_process, verdicts
 from helpers.runner.forked import Forked
@@ -84,7 +84,7 @@ def run(
     for exercise in exercises:
         try:
             if exercise.folder and options.folder is not None:
-                programs[exercise.id] = packages.of_folder(exercise, options.folder).as_dict()
+                programs[exercise.id] = package_answers.of_folder(exercise, options.folder).as_dict()
             else:
                 programs[exercise.id] = program.build(cells, exercise, options.notebook).as_dict()
         except program.NotAttempted as reason:

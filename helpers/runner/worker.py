@@ -31,7 +31,7 @@ from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import destroy_actions
-from helpers.runner import awaiting, rates, values
+from helpers.runner import awaiting, sleeping_threads, values
 from helpers.runner.arguments import Arguments
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.conductor import Conductor
@@ -55,7 +55,7 @@ class Worker:
         self.program: LoadedProgram | None = None
         self.executor: SingleThreadedExecutor | None = None
         self.conductor: Conductor | None = None
-        self.sleepers = rates.Sleepers()
+        self.sleepers = sleeping_threads.Sleepers()
         self.outgoing = Outgoing()
         self.started: list = []  # what each `start` made
         self.nodes: list[Node] = []
@@ -131,7 +131,8 @@ class Worker:
             self.do_join()
         program.load(cells)
         program.watch.loaded()
-        rates.watch(self.sleepers, program.watch)  # not before: what cells start beside the answer does not count
+        # Not before: what cells start beside the answer does not count.
+        sleeping_threads.watch(self.sleepers, program.watch)
         return {'notes': [note for _, note in program.notes]}
 
     def _in_callback(self) -> bool:

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from helpers.exercises import packages
+from helpers.exercises import package_answers
 from helpers.runner import values
 from helpers.runner.fork_client import ForkServer, Task
 from helpers.runner.load import busy, starved
@@ -307,7 +307,7 @@ class Workspaces:
             raise InvalidProgram(f'`{name}` is longer than {MAX_TEXT} characters.')
         return found.lstrip('\n').encode('utf-8', 'replace').decode()
 
-    def files(self, name: str = packages.NAME) -> dict[str, str]:
+    def files(self, name: str = package_answers.NAME) -> dict[str, str]:
         """The texts of the package that is the learner's answer, by path in the package. Nothing of it is run."""
         try:
             statements = ast.parse(self.program['answer']).body
@@ -316,8 +316,8 @@ class Workspaces:
                 for one in statements
                 if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == name
             )
-            return packages.texts({path: text.encode() for path, text in found.items()})
-        except packages.InvalidExercise as error:
+            return package_answers.texts({path: text.encode() for path, text in found.items()})
+        except package_answers.InvalidExercise as error:
             raise InvalidProgram(str(error)) from None
         except (StopIteration, SyntaxError, ValueError, AttributeError, RecursionError, MemoryError):
             raise InvalidProgram('There is no package.') from None

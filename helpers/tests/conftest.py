@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.tests.kernels import Kernel
+from helpers.tests.real_kernel import Kernel
 
 
 @pytest.fixture

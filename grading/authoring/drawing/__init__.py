@@ -18,9 +18,9 @@ Lengths are pixels of a sheet 700 pixels wide; x grows to the right, y downwards
 code and ``**now**`` bold; `NOTE` is the size of what explains. `faults.found` says which texts overlap something.
 """
 
-from grading.authoring.drawing.geometry import Box
 from grading.authoring.drawing.parts import Lanes, Plot, queue, stack
 from grading.authoring.drawing.sheet import Sheet
+from grading.authoring.drawing.sheet_geometry import Box
 from grading.authoring.drawing.style import NOTE
 
 __all__ = ['NOTE', 'Box', 'Lanes', 'Plot', 'Sheet', 'queue', 'stack']

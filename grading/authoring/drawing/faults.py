@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from grading.authoring.drawing import style
-from grading.authoring.drawing.geometry import Box, Point, Text
 from grading.authoring.drawing.sheet import Sheet
+from grading.authoring.drawing.sheet_geometry import Box, Point, Text
 
 MARGIN = 6  # between texts and the sheet's border
 PADDING = 3  # between texts and the borders of boxes, to the sides

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grading.authoring.drawing import style
-from grading.authoring.drawing.geometry import Box
 from grading.authoring.drawing.sheet import Sheet
+from grading.authoring.drawing.sheet_geometry import Box
 
 
 def queue(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from xml.sax.saxutils import escape, quoteattr
 
 from grading.authoring.drawing import metrics, style
-from grading.authoring.drawing.geometry import Box, Point, Text, along, shortened
+from grading.authoring.drawing.sheet_geometry import Box, Point, Text, along, shortened
 from helpers.show import dark_page
 
 WIDTH = 700

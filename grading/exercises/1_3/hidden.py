@@ -3,7 +3,7 @@
 import pytest
 from std_msgs.msg import String
 
-from helpers.checks.chapter_01 import domains
+from helpers.checks.chapter_01 import roll_calls
 from helpers.runner import about, expect
 from helpers.runner.elsewhere import Elsewhere
 
@@ -17,7 +17,7 @@ def test_it_speaks_in_the_domain(learner):
 
     A node belongs to the domain of its context.
     """
-    domains.check_roll_call(learner)
+    roll_calls.check_roll_call(learner)
 
 
 @pytest.mark.weight(2)
@@ -27,8 +27,8 @@ def test_it_measures(learner):
 
     Do not compare numbers: listen.
     """
-    domains.check_bridged(learner)
-    domains.check_cut(learner)
+    roll_calls.check_bridged(learner)
+    roll_calls.check_cut(learner)
 
 
 @pytest.mark.rules('in-time')
@@ -37,7 +37,7 @@ def test_it_ends_in_time(learner):
 
     A loop with two conditions.
     """
-    domains.check_time(learner)
+    roll_calls.check_time(learner)
 
 
 @pytest.mark.rules('leaves')
@@ -46,7 +46,7 @@ def test_nothing_stays_behind(learner):
 
     Destroy each node and end its context, in the listeners' domains, too.
     """
-    domains.check_left(learner)
+    roll_calls.check_left(learner)
 
 
 @pytest.mark.weight(3)
@@ -56,7 +56,7 @@ def test_bridge(learner):
 
     Subscribe on this side, publish on the other one.
     """
-    domains.check_bridge(learner, 6)
+    roll_calls.check_bridge(learner, 6)
 
 
 @pytest.mark.rules('one-way', 'bridge', 'carries')
@@ -65,7 +65,7 @@ def test_bridge_is_there(learner):
 
     join(other_domain, 'bridge') makes it.
     """
-    with domains.domains(1) as (domain,), Elsewhere(domain) as there:
+    with roll_calls.domains(1) as (domain,), Elsewhere(domain) as there:
         with about('bridge'):
             learner.start('Bridge', domain)
         expect(there.wait_until(there.nodes, 5), f'No node of yours is in domain {domain}.', 'bridge')

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.packages import CAUSES, FORMS, Package, judge_rare_entries
+from helpers.checks.chapter_07.faulty_packages import CAUSES, FORMS, Package, judge_rare_entries
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')

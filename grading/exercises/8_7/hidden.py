@@ -4,7 +4,7 @@ import pytest
 
 from helpers.checks.chapter_08 import stations
 from helpers.checks.chapter_08.node_options import check_options
-from helpers.checks.chapter_08.parameters import Parameters
+from helpers.checks.chapter_08.parameter_services import Parameters
 from helpers.checks.chapter_08.test_8_7 import test_values_at_the_start  # noqa: F401 - they draw other inputs here
 from helpers.runner import about, expect
 

@@ -19,7 +19,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from grading import grade, reference, sandbox, submissions
+from grading import grading_run, reference, sandbox, submissions
 from grading.record import Record
 from helpers.exercises import notebooks
 from helpers.exercises import program as programs
@@ -195,7 +195,7 @@ def exercises() -> tuple[Exercise, ...]:
 
 def notebook(cells: dict[str, str], cookie: str = 'cookie') -> bytes:
     """A notebook with the tools of the attacks and these cells by exercise; the others are left as they were given."""
-    tools = (HERE / 'tools.py').read_text(encoding='utf-8').replace("COOKIE = 'cookie'", f"COOKIE = '{cookie}'")
+    tools = (HERE / 'attack_tools.py').read_text(encoding='utf-8').replace("COOKIE = 'cookie'", f"COOKIE = '{cookie}'")
     return small.notebook(
         small.IMPORTS, tools, *(f'# Exercise {id}: {TITLES[id]}\n{cells.get(id, STUBS[id])}' for id in TITLES)
     )
@@ -279,7 +279,7 @@ def grade_batch(
     patched.setattr(reference, 'program', lambda exercise: programs.build(_right(), exercise).as_dict())
     try:
         course = _course(folder, batch.canary, used, patience)
-        graded = grade.grade(submissions.find([incoming]), course, batch.output, jobs)
+        graded = grading_run.grade(submissions.find([incoming]), course, batch.output, jobs)
     finally:
         patched.undo()
         for name, value in saved.items():
@@ -305,11 +305,11 @@ def _right() -> list[notebooks.NotebookCell]:
     return notebooks.parse(notebook(SOLVED), small.NOTEBOOK)
 
 
-def _course(folder: Path, canary: str, used: str, patience: str) -> grade.Course:
+def _course(folder: Path, canary: str, used: str, patience: str) -> grading_run.Course:
     for number, id in enumerate(TITLES, 1):
         small.write_tests(folder, patience + VISIBLE[id], number)
         small.write_tests(folder, f'{patience}CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='exercises')
-    return grade.Course(exercises(), folder / 'checks', folder / 'exercises', used)
+    return grading_run.Course(exercises(), folder / 'checks', folder / 'exercises', used)
 
 
 def _left(cookie: str, patience: float = 3.0) -> list[str]:

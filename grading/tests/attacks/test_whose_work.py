@@ -9,7 +9,7 @@ import zipfile
 
 import pytest
 
-from grading import grade, late, submissions, unit
+from grading import grading_run, late, submissions, unit
 from grading.submission import Unusable, apart, own_name
 from grading.tests import runs
 from helpers.tests import small
@@ -32,10 +32,10 @@ def packed(path, text: str, learner: str = ''):
     return path
 
 
-def graded(folder, **settings) -> dict[str, grade.Record]:
+def graded(folder, **settings) -> dict[str, grading_run.Record]:
     """What is in `folder / 'in'`, graded into `folder / 'out'`: the records by learner."""
     found = submissions.find([folder / 'in'])
-    records = grade.grade(found, runs.COURSE, folder / 'out', settings=grade.Settings(seed='s', **settings))
+    records = grading_run.grade(found, runs.COURSE, folder / 'out', settings=grading_run.Settings(seed='s', **settings))
     return {record.learner: record for record in records}
 
 

@@ -2,14 +2,14 @@
 
 import pytest
 
-from grading.authoring import build
+from grading.authoring import chapter_build
 from grading.tests.authoring import sources
 
 
 @pytest.fixture
 def tree(tmp_path):
     """The folders of a course; its one source is sources.TINY."""
-    tree = build.Tree(tmp_path / 'course')
+    tree = chapter_build.Tree(tmp_path / 'course')
     tree.solutions.mkdir(parents=True)
     tree.notebooks.mkdir()
     write(tree, sources.TINY)
@@ -33,8 +33,8 @@ def write(tree, text, name='07_tiny.md'):
 def make_without_kernel(tree):
     """Do what build does, with a stand-in for the kernel."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(build.execution, 'execute', count_cells)
-        build.build(tree, say=lambda line: None)
+        patch.setattr(chapter_build.execution, 'execute', count_cells)
+        chapter_build.build(tree, say=lambda line: None)
 
 
 def count_cells(notebook, chapter, folder, timeout):

@@ -7,7 +7,7 @@ import sys
 import nbformat
 import pytest
 
-from grading.authoring import build, execution, in_step, repeated, rules
+from grading.authoring import chapter_build, execution, in_step, repeated, rules
 from grading.authoring.chapter_errors import ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY, line_of
@@ -41,8 +41,8 @@ def quiet(line):
 
 def test_statements_that_hold_leave_no_trace(tree):
     write(tree, SOURCE)
-    build.build(tree, say=quiet)
-    (chapter,) = build.read_all(tree)
+    chapter_build.build(tree, say=quiet)
+    (chapter,) = chapter_build.read_all(tree)
     solved = nbformat.read(tree.solved(chapter), as_version=4)
     assert [cell.execution_count for cell in solved.cells if cell.cell_type == 'code'] == [1, 2, 3, 4, 5, 6]
     assert solved.cells[-1].outputs[0].text == 'False False\n'
@@ -55,7 +55,7 @@ def test_statements_that_hold_leave_no_trace(tree):
 def test_what_a_cell_prints_after_its_end_counts(tree):
     late = f"{FENCE}import threading\nthreading.Timer(0.5, print, ('late',)).start()\n```\n\n"
     write(tree, f"{TINY}\n{late}{FENCE}:checked: true\nwords = printed.split()\nassert words == ['late']\n```\n")
-    build.build(tree, say=quiet)
+    chapter_build.build(tree, say=quiet)
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_a_statement_that_does_not_hold_fails_the_build_at_its_line(tree, old, n
     text = SOURCE.replace(old, new)
     write(tree, text)
     with pytest.raises(ChapterErrors) as caught:
-        build.build(tree, say=quiet)
+        chapter_build.build(tree, say=quiet)
     (error,) = caught.value.errors
     assert problem in error.problem and 'what the text says' in error.remedy
     assert error.line == line_of(line, text) + (line == ':checked:')
@@ -78,11 +78,11 @@ def test_a_statement_that_does_not_hold_fails_the_build_at_its_line(tree, old, n
 
 def test_a_changed_statement_is_run_again(tree):
     write(tree, SOURCE)
-    build.build(tree, say=quiet)
+    chapter_build.build(tree, say=quiet)
     write(tree, SOURCE.replace('kept == 3', 'kept == 4'))
     assert 'metadata' in in_step.drift(tree)[0]
     with pytest.raises(ChapterErrors, match='assert kept == 4'):
-        build.build(tree, say=quiet)
+        chapter_build.build(tree, say=quiet)
 
 
 @pytest.mark.parametrize(
@@ -98,15 +98,15 @@ def test_a_changed_statement_is_run_again(tree):
 def test_mistakes_of_the_author_are_named(tree, text, problem):
     write(tree, TINY + '\n' + text)
     with pytest.raises(ChapterErrors) as caught:
-        build.read_all(tree)
+        chapter_build.read_all(tree)
     assert problem in str(caught.value)
 
 
 @pytest.mark.timeout(180)
 def test_ci_runs_the_statements_too(tree, tmp_path):
     write(tree, SOURCE)
-    build.build(tree, say=quiet)
-    (chapter,) = build.read_all(tree)
+    chapter_build.build(tree, say=quiet)
+    (chapter,) = chapter_build.read_all(tree)
     solved = nbformat.read(tree.solved(chapter), as_version=4)
     cell = next(cell for cell in solved.cells if 'checked' in cell.metadata)
     good = repeated.write([tree.solved(chapter), tree.learner(chapter)], tmp_path / 'good')
@@ -123,7 +123,7 @@ def test_ci_runs_the_statements_too(tree, tmp_path):
 
 
 def test_each_chapter_of_the_course_has_its_checked_statements():
-    counts = rules.checked_counts(build.read_all(build.Tree(paths.ROOT)))
+    counts = rules.checked_counts(chapter_build.read_all(chapter_build.Tree(paths.ROOT)))
     assert set(counts) == set(rules.CHECKED_AT_LEAST)
     assert all(rules.CHECKED_AT_LEAST.values())
     assert [number for number, count in counts.items() if count < rules.CHECKED_AT_LEAST[number]] == []

@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 
-from grading.authoring import build, figures, in_step
+from grading.authoring import chapter_build, figures, in_step, notebook_pair
 from grading.authoring.chapter_errors import ChapterErrors
 from grading.authoring.drawing import faults, style
 from grading.tests.authoring.conftest import make_without_kernel, write
@@ -14,7 +14,7 @@ from helpers import paths
 from helpers.exercises import cell_ids
 from helpers.tests.show.contrast import contrast
 
-COURSE = build.Tree(paths.ROOT)
+COURSE = chapter_build.Tree(paths.ROOT)
 DRAWING = """from grading.authoring.drawing import Sheet
 
 ALT = 'A box with a word.'
@@ -57,8 +57,8 @@ def shown(notebook):
 
 
 def test_both_notebooks_show_the_one_picture(illustrated):
-    (chapter,) = build.read_all(illustrated)
-    learner, solved = (shown(form(chapter)) for form in (build.notebooks.learner, build.notebooks.solved))
+    (chapter,) = chapter_build.read_all(illustrated)
+    learner, solved = (shown(form(chapter)) for form in (notebook_pair.learner, notebook_pair.solved))
     assert '![A box with a word.](figures/a_box.svg)\n\n*A box, as it is.*\n' in learner.source
     assert '](../notebooks/figures/a_box.svg)' in solved.source
     for notebook, cell in ((illustrated.notebooks, learner), (illustrated.solutions, solved)):
@@ -70,8 +70,8 @@ def test_both_notebooks_show_the_one_picture(illustrated):
 
 def test_the_learners_cell_counts_as_given(illustrated):
     """So that a learner who changes nothing in it gets the new version's cell."""
-    (chapter,) = build.read_all(illustrated)
-    cell = shown(build.notebooks.learner(chapter))
+    (chapter,) = chapter_build.read_all(illustrated)
+    cell = shown(notebook_pair.learner(chapter))
     assert cell_ids.untouched('markdown', cell.source, cell.id)
 
 
@@ -114,7 +114,7 @@ def test_a_wrong_directive_is_told_with_its_line(illustrated, change, message):
     source = TINY + '\n\nMore prose.\n\n' + DIRECTIVE.replace(*change)
     write(illustrated, source)
     with pytest.raises(ChapterErrors) as info:
-        build.read_all(illustrated)
+        chapter_build.read_all(illustrated)
     assert str(info.value).startswith(f'solutions/07_tiny.md:{line_of("{figure}", source)}: ')
     assert message in str(info.value)
 
@@ -125,7 +125,7 @@ def test_a_directive_in_a_card_is_told_with_its_line(illustrated):
     source = TINY.replace(EXERCISE, EXERCISE.replace(names, names + DIRECTIVE.replace('a_box', 'a_bix')))
     write(illustrated, source)
     with pytest.raises(ChapterErrors, match=f'07_tiny.md:{line_of("{figure}", source)}: there is no figure'):
-        build.read_all(illustrated)
+        chapter_build.read_all(illustrated)
 
 
 @pytest.mark.parametrize(
@@ -145,13 +145,13 @@ def test_a_wrong_drawing_is_told_where_it_is_placed(illustrated, change, message
     draw(illustrated, DRAWING.replace(*change))
     line = line_of('{figure}', WITH_FIGURE)
     with pytest.raises(ChapterErrors, match=rf'07_tiny.md:{line}: the figure a_box: {message}.*\(figures/a_box.py:\d'):
-        build.read_all(illustrated)
+        chapter_build.read_all(illustrated)
 
 
 def test_a_figure_that_no_chapter_shows_is_a_mistake(illustrated):
     draw(illustrated, DRAWING, 'forgotten')
     with pytest.raises(ChapterErrors, match='figures/forgotten.py:1: no chapter shows the figure forgotten'):
-        build.read_all(illustrated)
+        chapter_build.read_all(illustrated)
 
 
 @pytest.mark.parametrize('path', figures.drawn(COURSE.figures), ids=lambda path: path.stem)

@@ -4,12 +4,12 @@ import re
 
 import pytest
 
-from grading.authoring import build, chapter
+from grading.authoring import chapter, chapter_build
 from helpers import paths
 
 WORDS, CELLS, POINT = 150, 2, 1.2  # words and cells of code in a minute, minutes for a point
 NUMBERS = ('zero', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight')
-COURSE = build.Tree(paths.ROOT)
+COURSE = chapter_build.Tree(paths.ROOT)
 
 
 def estimated(cells):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from grading.authoring import build, in_step
+from grading.authoring import chapter_build, in_step
 from grading.authoring.chapter_errors import ChapterErrors
 from grading.edition import pages
 from grading.tests.authoring.conftest import make_without_kernel, write
@@ -42,7 +42,7 @@ def marked(tree):
 
 def last(tree, number):
     """The last Markdown cell of a chapter."""
-    return build.read_all(tree)[number - 7].cells[-1].split.solved
+    return chapter_build.read_all(tree)[number - 7].cells[-1].split.solved
 
 
 def test_marks_lead_to_entries_and_new_words_stand_before_the_questions(marked):
@@ -110,7 +110,7 @@ def test_mistakes_are_named_with_their_line(marked, name, old, new, line, proble
     text = source.replace(old, new)
     write(marked, text, name)
     with pytest.raises(ChapterErrors) as caught:
-        build.read_all(marked)
+        chapter_build.read_all(marked)
     (error,) = (error for error in caught.value.errors if problem in error.problem)
     if line:
         where = text if error.path.name == name else GLOSSARY

@@ -2,7 +2,7 @@
 
 import pytest
 
-from grading.authoring import chapter, execution, notebooks, rules
+from grading.authoring import chapter, execution, notebook_pair, rules
 from grading.authoring.chapter_errors import AuthoringError
 from grading.tests.authoring.sources import EXERCISE, TINY
 from helpers.exercises import manifest
@@ -69,7 +69,7 @@ def test_an_execution_leaves_somebodys_package_as_it_was(tree, monkeypatch):
             mine.write_text('solution')
 
     monkeypatch.setattr(execution, '_Client', Client)
-    notebook = notebooks.solved(made)
+    notebook = notebook_pair.solved(made)
     tree.notebooks.mkdir(exist_ok=True)
     execution.execute(notebook, made, tree.notebooks)
     assert not mine.parent.exists()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from grading.authoring import build, quizzes
+from grading.authoring import chapter_build, quizzes
 from grading.authoring.chapter_errors import CellError, ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY, line_of
@@ -21,7 +21,7 @@ Say it.
 
 def shown(tree, text):
     write(tree, TINY.replace('Some prose.', text))
-    (chapter,) = build.read_all(tree)
+    (chapter,) = chapter_build.read_all(tree)
     return chapter.cells[2].split.solved
 
 

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from grading.authoring import build
+from grading.authoring import chapter_build
 from grading.authoring.chapter_errors import ChapterErrors
 from grading.edition import pages
 from grading.tests.authoring.conftest import make_without_kernel, write
@@ -20,7 +20,7 @@ def cell(tree, text):
     """The text of the tiny chapter's Markdown cell, with `text` in it."""
     write(tree, OTHER, '08_other.md')
     write(tree, TINY.replace('Some prose.', text))
-    return build.read_all(tree)[0].cells[2].split.solved
+    return chapter_build.read_all(tree)[0].cells[2].split.solved
 
 
 @pytest.mark.parametrize(
@@ -65,7 +65,7 @@ def test_a_heading_that_jupyterlab_would_not_find_cannot_be_linked(tree):
     write(tree, OTHER + '\n## 8.12 "Quoted"\n', '08_other.md')
     write(tree, TINY.replace('Some prose.', '{section}`8.12`'))
     with pytest.raises(ChapterErrors, match='a link in JupyterLab fails; write it .* without quotes'):
-        build.read_all(tree)
+        chapter_build.read_all(tree)
 
 
 def test_links_that_lead_somewhere_are_let_alone(tree):

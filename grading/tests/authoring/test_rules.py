@@ -2,7 +2,7 @@
 
 import pytest
 
-from grading.authoring import build, rules
+from grading.authoring import chapter_build, rules
 from grading.authoring.chapter_errors import ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import CHECK_HERE, DEMONSTRATION, EXERCISE, FRONT, TINY, TITLE, line_of
@@ -17,7 +17,7 @@ REGION = EXERCISE[EXERCISE.index('    # BEGIN') : EXERCISE.index('```\n', EXERCI
 
 
 def test_the_tiny_chapter_has_no_mistake(tree):
-    (chapter,) = build.read_all(tree)
+    (chapter,) = chapter_build.read_all(tree)
     assert [cell.kind for cell in chapter.cells] == ['markdown', 'code', 'markdown', 'code', 'code', 'code']
     assert chapter.cells[3].line == line_of(FIRST)
 
@@ -107,7 +107,7 @@ def test_a_mistake_names_file_line_and_mend(tree, old, new, line, problem, remed
     text = TINY.replace(old, new)
     write(tree, text)
     with pytest.raises(ChapterErrors) as caught:
-        build.read_all(tree)
+        chapter_build.read_all(tree)
     hits = [error for error in caught.value.errors if problem in error.problem]
     assert len(hits) == 1, str(caught.value)
     assert remedy in hits[0].remedy
@@ -121,7 +121,7 @@ def test_all_mistakes_are_told_at_once(tree):
     )
     write(tree, text.replace('# 7 Tiny', 'Seven'))
     with pytest.raises(ChapterErrors) as caught:
-        build.read_all(tree)
+        chapter_build.read_all(tree)
     assert len(str(caught.value).splitlines()) == 3
 
 
@@ -129,7 +129,7 @@ def test_all_mistakes_are_told_at_once(tree):
 def test_a_cell_of_15_lines_is_allowed_and_one_more_for_the_name_of_a_file(tree, first):
     cell = f'{FENCE}{first}def check(identifier):\n' + '    x = 1\n' * 14
     write(tree, TINY.replace(DEMONSTRATION, f'{cell}```\n\n'))
-    assert build.read_all(tree)
+    assert chapter_build.read_all(tree)
 
 
 TRIED = '```{code-cell} ipython3\nprint(double(2))\n```\n\n'
@@ -141,7 +141,7 @@ def test_the_check_cell_comes_after_the_answer_or_where_it_is_asked_for(tree):
         (EXERCISE + TRIED + CHECK_HERE, ['print(double(2))', 'check("7.1")']),
     ):
         write(tree, FRONT + TITLE + DEMONSTRATION + text)
-        (chapter,) = build.read_all(tree)
+        (chapter,) = chapter_build.read_all(tree)
         assert [cell.split.solved for cell in chapter.cells[-2:]] == expected
         (check,) = (cell for cell in chapter.cells if cell.split.solved == 'check("7.1")')
         assert check.metadata == {'tags': ['nbval-ignore-output']}
@@ -154,7 +154,7 @@ def test_the_directive_gives_heading_first_line_metadata_and_check(tree):
             '    # END SOLUTION', '    # END SOLUTION\ntriple = 3'
         ),
     )
-    (chapter,) = build.read_all(tree)
+    (chapter,) = chapter_build.read_all(tree)
     card, answer, check = chapter.cells[2:5]
     assert card.split.solved == 'Some prose.\n\n### Exercise 7.1: twice as much (10 points)'
     assert answer.split.solved.splitlines()[:2] == ['# Exercise 7.1: twice as much', FIRST]
@@ -181,7 +181,7 @@ Write it. {rule}`once` Call it **once**, never
 
 def test_rules_of_a_card(tree):
     write(tree, TINY.replace(DIRECTIVE, DIRECTIVE + CARD))
-    (chapter,) = build.read_all(tree)
+    (chapter,) = chapter_build.read_all(tree)
     (row,) = chapter.exercises()
     assert [(rule.name, rule.text) for rule in row.rules] == [
         ('once', 'Call it once, never `a__b__c` times.'),
@@ -201,12 +201,12 @@ def test_an_id_is_given_once_in_all_chapters(tree, name):
     else:
         write(tree, TINY, name)
     with pytest.raises(ChapterErrors, match='exercise 7.1 is there twice') as caught:
-        build.read_all(tree)
+        chapter_build.read_all(tree)
     assert len(caught.value.errors) == 1
 
 
 def test_long_cells_give_advice_only(tree):
     write(tree, TINY.replace("    print('checked', identifier)\n", '    x = 1\n' * 14))
-    assert rules.advice(build.read_all(tree)[0]) == []  # the median of four cells is small
+    assert rules.advice(chapter_build.read_all(tree)[0]) == []  # the median of four cells is small
     write(tree, FRONT + TITLE + DEMONSTRATION.replace("    print('checked', identifier)\n", '    x = 1\n' * 14))
-    assert 'aim at 6' in rules.advice(build.read_all(tree)[0])[0]
+    assert 'aim at 6' in rules.advice(chapter_build.read_all(tree)[0])[0]

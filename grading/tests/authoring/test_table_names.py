@@ -6,11 +6,11 @@ from html import unescape
 import pytest
 from markdown_it import MarkdownIt
 
-from grading.authoring import build, chapter, table_names
+from grading.authoring import chapter, chapter_build, table_names
 from helpers import paths
 
 ROOM = 15  # letters of code in a column of a table with four of them, in a window of 700 px
-COURSE = build.Tree(paths.ROOT)
+COURSE = chapter_build.Tree(paths.ROOT)
 
 
 def text_of(markdown):

@@ -19,7 +19,7 @@ from helpers.cli import app
 @pytest.fixture
 def course(tmp_path, monkeypatch):
     """A course of one tiny chapter in place of the real one."""
-    from grading.authoring.build import Tree
+    from grading.authoring.chapter_build import Tree
 
     tree = Tree(tmp_path)
     tree.solutions.mkdir()

@@ -7,8 +7,8 @@ import nbformat
 import pytest
 from nbformat.v4 import new_output
 
-from grading.authoring import build
 from grading.authoring import chapter as chapters
+from grading.authoring import chapter_build, notebook_pair
 from grading.edition import file_lexer, pages
 from grading.tests.authoring import sources
 from grading.tests.authoring.conftest import built, make_without_kernel, tree  # noqa: F401 - fixtures
@@ -16,7 +16,7 @@ from grading.tests.authoring.test_figures import illustrated  # noqa: F401 - a f
 from helpers import paths
 from helpers.show.views import recording
 
-COURSE = build.Tree(paths.ROOT)
+COURSE = chapter_build.Tree(paths.ROOT)
 
 
 @pytest.mark.parametrize('source', chapters.sources(COURSE.solutions), ids=lambda path: path.stem)
@@ -24,7 +24,7 @@ def test_no_solution_is_shown(source):
     chapter = chapters.read(source)
     notebook = nbformat.read(COURSE.solved(chapter), as_version=4)
     shown = {cell.id: cell for cell in pages.readable(chapter, notebook).cells}
-    for cell in build.notebooks.learner(chapter).cells:
+    for cell in notebook_pair.learner(chapter).cells:
         if 'exercise' in cell.metadata:
             assert (shown[cell.id].source, shown[cell.id].outputs) == (cell.source, [])
         elif cell.cell_type == 'code' and cell.source.startswith('check('):

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from grading import grade, sandbox
+from grading import grading_run, sandbox
 from grading.sandbox import mounts, probe, seccomp, unprivileged
 from grading.sandbox.holder import Holder, SandboxError
 from grading.submission import Submission
@@ -52,8 +52,8 @@ def test_a_bubblewrap_that_fails_is_found_by_running_it(bin_folder):
 
 
 def test_no_sandbox_is_said_and_recorded(tmp_path):
-    course = grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'hidden', 'none')
-    grade.grade([Submission('ada', tmp_path / 'ada.ipynb', {small.NOTEBOOK: WORK})], course, tmp_path / 'out')
+    course = grading_run.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'hidden', 'none')
+    grading_run.grade([Submission('ada', tmp_path / 'ada.ipynb', {small.NOTEBOOK: WORK})], course, tmp_path / 'out')
     assert json.loads((tmp_path / 'out' / 'results' / 'ada.json').read_text())['sandbox'] == 'none'
     assert sandbox.WARNING in (tmp_path / 'out' / 'run.log').read_text()
 

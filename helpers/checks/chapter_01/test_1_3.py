@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_01 import domains
+from helpers.checks.chapter_01 import roll_calls
 
 pytestmark = [pytest.mark.exercise('1.3'), pytest.mark.wiring(type='carries', qos='carries', namespace='carries')]
 
@@ -13,11 +13,11 @@ def test_who_hears(learner):
 
     Make a context for each domain. Publish again and again, as discovery takes time.
     """
-    domains.check_roll_call(learner)
-    domains.check_bridged(learner)
-    domains.check_time(learner)
-    domains.check_left(learner)
-    domains.check_cut(learner)
+    roll_calls.check_roll_call(learner)
+    roll_calls.check_bridged(learner)
+    roll_calls.check_time(learner)
+    roll_calls.check_left(learner)
+    roll_calls.check_cut(learner)
 
 
 @pytest.mark.rules('bridge', 'carries', 'one-way')
@@ -26,4 +26,4 @@ def test_bridge(learner):
 
     join(other_domain, 'bridge') makes a node there. Subscribe on this side, publish on the other one.
     """
-    domains.check_bridge(learner, 3)
+    roll_calls.check_bridge(learner, 3)

@@ -7,7 +7,7 @@ import numpy as np
 from geometry_msgs.msg import PointStamped
 from rclpy.time import Time
 
-from helpers.checks.chapter_06.geometry import apart, explain, origin, same, words
+from helpers.checks.chapter_06.frame_comparisons import apart, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND

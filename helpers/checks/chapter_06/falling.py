@@ -7,7 +7,7 @@ from random import Random
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import apart, explain, same
+from helpers.checks.chapter_06.frame_comparisons import apart, explain, same
 from helpers.runner import expect
 
 CLOSE = 2e-4  # of a mass or an inertia, which a small crate keeps with four digits

@@ -5,7 +5,17 @@ from difflib import get_close_matches
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import ORDER, apart, axis, check_rotation, explain, origin, same, w_first, words
+from helpers.checks.chapter_06.frame_comparisons import (
+    ORDER,
+    apart,
+    axis,
+    check_rotation,
+    explain,
+    origin,
+    same,
+    w_first,
+    words,
+)
 from helpers.runner import about, expect
 from helpers.runner.frames import Listener, pose, to_matrix
 from helpers.runner.started_nodes import StartedNodes

@@ -4,7 +4,17 @@ import math
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import ORDER, apart, axis, check_rotation, explain, origin, same, w_first, words
+from helpers.checks.chapter_06.frame_comparisons import (
+    ORDER,
+    apart,
+    axis,
+    check_rotation,
+    explain,
+    origin,
+    same,
+    w_first,
+    words,
+)
 from helpers.runner import about, expect
 from helpers.runner.frames import pose, to_matrix
 from helpers.runner.peers import SECOND

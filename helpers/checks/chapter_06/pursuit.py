@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 from geometry_msgs.msg import Twist
 
-from helpers.checks.chapter_06.geometry import origin, same
+from helpers.checks.chapter_06.frame_comparisons import origin, same
 from helpers.runner import expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND

@@ -9,7 +9,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import LaserScan, PointCloud2
 from sensor_msgs_py.point_cloud2 import read_points_list
 
-from helpers.checks.chapter_06.geometry import apart, explain, same, words
+from helpers.checks.chapter_06.frame_comparisons import apart, explain, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND

@@ -7,10 +7,10 @@ from random import Random
 
 import numpy as np
 
-from helpers.checks.chapter_06.geometry import explain, same, words
+from helpers.checks.chapter_06.frame_comparisons import explain, same, words
 from helpers.runner import expect
 
-SCRIPT = Path(__file__).with_name('probe.py')
+SCRIPT = Path(__file__).with_name('urdf_probe.py')
 PARENTS = {
     'base_link': 'base_footprint',
     'left_wheel': 'base_link',
@@ -49,7 +49,7 @@ def drawn(random: Random, size: str = '', low: bool = False) -> tuple[float, flo
 
 
 class Scout:
-    """The learner's robot with these sizes (metres), and what `probe.py` has found in one of its tasks."""
+    """The learner's robot with these sizes (metres), and what `urdf_probe.py` has found in one of its tasks."""
 
     def __init__(self, learner, task: str, size: str = '', low: bool = False, **given):
         """:param low: whether its mast is one of the lowest."""
@@ -468,7 +468,7 @@ def judge_ride(learner) -> None:
 
 
 def journey(random: Random) -> tuple[str, dict]:
-    """A station, and what `probe.py` is to do: a course of commands, and places on the way to the station."""
+    """A station, and what `urdf_probe.py` is to do: a course of commands, and places on the way to the station."""
     station = random.choice(sorted(STATIONS))
     x, y = STATIONS[station]
     left = random.choice([-1, 1])

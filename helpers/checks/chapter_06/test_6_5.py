@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.geometry import explain, words
+from helpers.checks.chapter_06.frame_comparisons import explain, words
 from helpers.checks.chapter_06.pursuit import (
     LONG,
     NEAR,

@@ -2,19 +2,19 @@
 
 from contextlib import contextmanager
 
-from helpers.checks.chapter_07 import graphs, machines, models, packages, stacks, tf_trees
+from helpers.checks.chapter_07 import faulty_packages, faulty_robots, graphs, machines, stacks, tf_trees
 from helpers.checks.chapter_07.findings import compare
 from helpers.runner import about, expect
 from helpers.runner.values import SetAsList
 from helpers.runner.verdicts import LearnerError, LearnerTimeout
 
-WHY = {**machines.WHY, **packages.WHY, **graphs.WHY, **stacks.WHY, **models.WHY, **tf_trees.WHY}
+WHY = {**machines.WHY, **faulty_packages.WHY, **graphs.WHY, **stacks.WHY, **faulty_robots.WHY, **tf_trees.WHY}
 # Faults that do not hide another one, by the part of the case; graphs' as `graphs.draw` names them.
 FAULTS = {
     'machine': machines.CAUSES,
-    'package': packages.CAUSES,
+    'package': faulty_packages.CAUSES,
     'stacks': stacks.CAUSES,
-    'model': models.CAUSES,
+    'model': faulty_robots.CAUSES,
     'frames': tf_trees.CAUSES,
     'graph': (
         'name',
@@ -74,8 +74,8 @@ class Case:
         self.files, self.want, self.expected = (
             machines.twice(random) if twice else machines.draw(random, *causes['machine'])
         )
-        self.package = packages.Package(random, *causes['package'])
-        self.robot = models.Robot(random, *causes['model'])
+        self.package = faulty_packages.Package(random, *causes['package'])
+        self.robot = faulty_robots.Robot(random, *causes['model'])
         self.tree = tf_trees.Tree(random, *causes['frames'], moves=moves, aged=aged)
         text, programs, hanging = stacks.draw(random, 'idle', *causes['stacks'], 'spinning')
         hidden = causes['graph'] == ('hidden',)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.models import CAUSES, FRAMES, Robot, judge_rare_links
+from helpers.checks.chapter_07.faulty_robots import CAUSES, FRAMES, Robot, judge_rare_links
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')

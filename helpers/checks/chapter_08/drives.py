@@ -8,7 +8,7 @@ from std_msgs.msg import String
 
 from helpers.checks.chapter_05.driving import check_order
 from helpers.checks.chapter_08.deliveries import Delivery
-from helpers.checks.chapter_08.parameters import Parameters
+from helpers.checks.chapter_08.parameter_services import Parameters
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
 

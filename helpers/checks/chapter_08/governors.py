@@ -5,7 +5,7 @@ from geometry_msgs.msg import Twist
 from rclpy.parameter import Parameter
 
 from helpers.checks.chapter_08.parameter_files import shown
-from helpers.checks.chapter_08.parameters import Parameters, check_bounds
+from helpers.checks.chapter_08.parameter_services import Parameters, check_bounds
 from helpers.runner import about, expect, explanations
 from helpers.runner.verdicts import LearnerCrashed
 

@@ -9,7 +9,7 @@ from geometry_msgs.msg import Twist
 
 from helpers.checks.chapter_05.driving import longest_pause
 from helpers.checks.chapter_08.deliveries import Localizer
-from helpers.checks.chapter_08.parameters import Parameters
+from helpers.checks.chapter_08.parameter_services import Parameters
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
 

@@ -8,7 +8,7 @@ from rclpy.parameter import Parameter
 from std_msgs.msg import String
 
 from helpers.checks.chapter_03.endpoints import check_lifespan
-from helpers.checks.chapter_08.parameters import Parameters, check_bounds
+from helpers.checks.chapter_08.parameter_services import Parameters, check_bounds
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
 from helpers.runner.verdicts import WiringError

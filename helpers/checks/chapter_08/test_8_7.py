@@ -4,7 +4,7 @@ import pytest
 
 from helpers.checks.chapter_08 import stations
 from helpers.checks.chapter_08.node_options import check_options
-from helpers.checks.chapter_08.parameters import Parameters
+from helpers.checks.chapter_08.parameter_services import Parameters
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.7'), pytest.mark.wiring(type='names', qos='latched', namespace='names')]

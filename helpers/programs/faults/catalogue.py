@@ -2,7 +2,7 @@
 
 from helpers.programs.faults.apt import NoSource
 from helpers.programs.faults.clocks import WrongTime
-from helpers.programs.faults.discovery import Unseen
+from helpers.programs.faults.discovery_range import Unseen
 from helpers.programs.faults.distros import MixedDistros
 from helpers.programs.faults.fault import Fault, stop_all
 from helpers.programs.faults.finding import name_of

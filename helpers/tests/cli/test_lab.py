@@ -16,7 +16,7 @@ import pytest
 
 from helpers import paths
 from helpers.cli import Refusal, lab
-from helpers.tests.kernels import Kernel
+from helpers.tests.real_kernel import Kernel
 
 # Not by the proxy of whoever runs the tests.
 DIRECT = urllib.request.build_opener(urllib.request.ProxyHandler({}))

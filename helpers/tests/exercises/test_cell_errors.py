@@ -29,7 +29,7 @@ def test_an_import_that_was_stopped_is_told(kernel):
 
 def test_a_cell_interrupted_before_it_begins(kernel):
     """IPython then has no result for those who listen to the ends of cells."""
-    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers.exercises.check')
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers.exercises.exercise_check')
     told = kernel.ok('get_ipython().events.trigger("post_run_cell", None)')
     assert told.stdout == told.stderr == ''
 

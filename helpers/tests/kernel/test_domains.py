@@ -15,7 +15,7 @@ import pytest
 from environment.setup import interpreter
 from helpers.kernel import domains
 from helpers.kernel.domains import FIRST, LAST, claim
-from helpers.tests.kernels import ROOT
+from helpers.tests.real_kernel import ROOT
 
 HOLD = 'from helpers.kernel.domains import claim\nwith claim() as number:\n    print(number, flush=True)\n    input()'
 # Another user may be kept out of the course's folder, and of the packages in it, as in /root: the one module and

@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from helpers.tests.kernels import ROOT
+from helpers.tests.real_kernel import ROOT
 
 BEGIN = """
 import threading, sys, time

@@ -13,7 +13,7 @@ from helpers import spin_for, spinning, wait_for
 from helpers.kernel import ros as ros_module
 from helpers.kernel.domains import claim
 from helpers.kernel.nodes import is_alive
-from helpers.tests.kernels import ROOT
+from helpers.tests.real_kernel import ROOT
 from helpers.tests.sample_nodes import Talker
 
 

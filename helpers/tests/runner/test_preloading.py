@@ -36,8 +36,8 @@ def test_only_what_may_be_named_is_imported():
 import sys
 from helpers.runner import preloading
 preloading.warm_up_for({wanted})
-names = ['rosbags.rosbag2', 'helpers.exercises.check', 'this', 'helpers.runner.tester']
+names = ['rosbags.rosbag2', 'helpers.exercises.exercise_check', 'this', 'helpers.runner.tester']
 print([name for name in names if name in sys.modules])
 """
     done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, cwd=paths.ROOT, check=True)
-    assert done.stdout == "['rosbags.rosbag2', 'helpers.exercises.check']\n"
+    assert done.stdout == "['rosbags.rosbag2', 'helpers.exercises.exercise_check']\n"

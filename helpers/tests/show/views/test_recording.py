@@ -12,7 +12,7 @@ from helpers.show.views import poses, recording
 from helpers.show.views.recording import Recording
 from helpers.show.views.scene import Scene
 from helpers.show.views.shapes import Label, Points
-from helpers.tests.kernels import Kernel
+from helpers.tests.real_kernel import Kernel
 from helpers.tests.show.views.test_live_view import decode
 
 VIEW = """

@@ -2,7 +2,7 @@
 
 import socket
 
-from helpers.tests.kernels import Kernel
+from helpers.tests.real_kernel import Kernel
 
 BEGIN = """
 import helpers, IPython.display

@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from grading import release
+from grading import learners_edition
 from helpers import paths
 
 pytestmark = pytest.mark.one_of(2)
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.one_of(2)
 def edition(tmp_path_factory):
     """The learner's edition of this checkout."""
     folder = tmp_path_factory.mktemp('edition') / 'course'
-    release.release(folder)
+    learners_edition.release(folder)
     return folder
 
 
@@ -115,10 +115,10 @@ def test_its_own_tests_pass(edition, run_there):
 
 def test_refusals(tmp_path):
     (tmp_path / 'x').write_text('')
-    with pytest.raises(release.ReleaseError, match='not empty'):
-        release.release(tmp_path)
-    with pytest.raises(release.ReleaseError, match='no notebooks'):
-        release.release(tmp_path / 'new', tmp_path)
+    with pytest.raises(learners_edition.ReleaseError, match='not empty'):
+        learners_edition.release(tmp_path)
+    with pytest.raises(learners_edition.ReleaseError, match='no notebooks'):
+        learners_edition.release(tmp_path / 'new', tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -137,8 +137,8 @@ def test_leaks(tmp_path, name, text):
     ):
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text(content)
-    with pytest.raises(release.Leak, match=name):
-        release.release(tmp_path / 'new', root)
+    with pytest.raises(learners_edition.Leak, match=name):
+        learners_edition.release(tmp_path / 'new', root)
     assert not (tmp_path / 'new').exists()
 
 
@@ -153,4 +153,4 @@ def test_a_workspace_beside_the_notebooks_is_left_out(tmp_path):
     ):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text('{}')
-    assert release.files(root) == ['a_ws/src/b', 'notebooks/a.ipynb']
+    assert learners_edition.files(root) == ['a_ws/src/b', 'notebooks/a.ipynb']

@@ -7,8 +7,8 @@ import zipfile
 import nbformat
 import pytest
 
-from helpers.exercises import manifest, migration, packages, program, result_display
-from helpers.exercises import submit as submitting
+from helpers.exercises import handing_in as submitting
+from helpers.exercises import manifest, migration, package_answers, program, result_display
 from helpers.programs.workspace import Workspace
 from helpers.runner import session
 from helpers.runner.learner import Learner
@@ -16,7 +16,7 @@ from helpers.runner.verdicts import InvalidProgram
 from helpers.tests import small
 
 FOLDER = 'my_ws/src/patrol'
-EXERCISE = small.exercise(names=(packages.NAME,), folder=FOLDER)
+EXERCISE = small.exercise(names=(package_answers.NAME,), folder=FOLDER)
 FILES = {'package.xml': '<package/>\n', 'patrol/__init__.py': '', 'patrol/route.py': "SIGN = '\\n'\n# ü\n"}
 
 
@@ -31,13 +31,13 @@ def make(notebooks, files=None, folder=FOLDER):
 def why(notebooks) -> str:
     """What the learner reads of a package that cannot be used."""
     with pytest.raises((program.InvalidExercise, program.NotAttempted)) as found:
-        packages.of_folder(EXERCISE, notebooks)
+        package_answers.of_folder(EXERCISE, notebooks)
     return str(found.value)
 
 
 def test_a_package_becomes_a_program_that_holds_it(tmp_path):
     make(tmp_path)
-    made = packages.of_folder(EXERCISE, tmp_path)
+    made = package_answers.of_folder(EXERCISE, tmp_path)
     (cell,) = made.cells
     assert cell['source'].startswith('# Exercise 90.1: a talker\nPACKAGE = {')
     assert ast.literal_eval(ast.parse(cell['source']).body[0].value) == FILES
@@ -63,17 +63,17 @@ def test_what_tools_leave_behind_is_left_out(tmp_path):
         '.ipynb_checkpoints/x', 'patrol/old.pyc',
     )  # fmt: skip
     make(tmp_path, {**FILES, **dict.fromkeys(products, b'\0')})
-    found = packages.read(tmp_path, FOLDER)
+    found = package_answers.read(tmp_path, FOLDER)
     assert {name: content.decode() for name, content in found.files.items()} == FILES
     assert len(found.left_out) == len(products) and 'build/' in found.left_out
     make(tmp_path, {'patrol/log/notes.txt': 'mine'})  # only at the top these are names of the tools
-    assert 'patrol/log/notes.txt' in packages.read(tmp_path, FOLDER).files
+    assert 'patrol/log/notes.txt' in package_answers.read(tmp_path, FOLDER).files
 
 
 @pytest.mark.parametrize(
     ('name', 'content', 'problem'),
     [
-        ('big.txt', b'x' * (packages.MAX_FILE + 1), 'big.txt in your package has more than 64 kB'),
+        ('big.txt', b'x' * (package_answers.MAX_FILE + 1), 'big.txt in your package has more than 64 kB'),
         ('picture.png', b'\x89PNG\xff', 'picture.png in your package is no text in UTF-8'),
         ('null.txt', b'a\0b', 'null.txt in your package is no text: it has a null character'),
         ('a file.txt', b'', "called 'a file.txt'. Use letters, digits"),
@@ -104,12 +104,12 @@ def test_folders_within_folders(tmp_path, monkeypatch):
 def test_too_much(tmp_path):
     top = make(tmp_path)
     for number in range(5):
-        (top / f'{number}.txt').write_bytes(b'x' * packages.MAX_FILE)
+        (top / f'{number}.txt').write_bytes(b'x' * package_answers.MAX_FILE)
     assert 'more than 256 kB together' in why(tmp_path)
-    for number in range(packages.MAX_FILES):
+    for number in range(package_answers.MAX_FILES):
         (top / f'{number}.txt').write_text('')
     assert 'Your package has 103 files, more than 100' in why(tmp_path)
-    for number in range(packages.MAX_ENTRIES):
+    for number in range(package_answers.MAX_ENTRIES):
         (top / f'{number}.txt').write_text('')
     assert 'more than 5000 files' in why(tmp_path)
 
@@ -178,13 +178,13 @@ def test_a_reset_never_touches_it(tmp_path):
     make(tmp_path)
     with pytest.raises(FileExistsError, match='not a workspace of this course'):
         Workspace(tmp_path / 'my_ws').reset()
-    assert packages.of_folder(EXERCISE, tmp_path).cells
+    assert package_answers.of_folder(EXERCISE, tmp_path).cells
     lesson = Workspace(tmp_path / 'ros2_ws')
     lesson.reset()
     os.rename(tmp_path / FOLDER, tmp_path / 'ros2_ws/src/patrol')
     lesson.reset()
     assert 'there is one in ros2_ws_kept/1/patrol' in why(tmp_path)
-    assert packages.read(tmp_path, 'ros2_ws_kept/1/patrol').files['package.xml'] == b'<package/>\n'
+    assert package_answers.read(tmp_path, 'ros2_ws_kept/1/patrol').files['package.xml'] == b'<package/>\n'
 
 
 # Handing in
@@ -207,7 +207,7 @@ def test_a_reset_never_touches_it(tmp_path):
     ],
 )
 def test_members_of_a_zip(member, place):
-    assert packages.place(member) == place
+    assert package_answers.place(member) == place
 
 
 @pytest.fixture
@@ -251,13 +251,13 @@ def test_without_a_package_nothing_is_said(tmp_path, handing_in):
 
 def test_what_was_handed_in():
     files = {f'{FOLDER}/{name}': text.encode() for name, text in FILES.items()}
-    assert packages.of_submission(EXERCISE, {small.NOTEBOOK: b'', **files}).cells
+    assert package_answers.of_submission(EXERCISE, {small.NOTEBOOK: b'', **files}).cells
     with pytest.raises(program.NotAttempted, match='No package was handed in'):
-        packages.of_submission(EXERCISE, {small.NOTEBOOK: b''})
+        package_answers.of_submission(EXERCISE, {small.NOTEBOOK: b''})
     with pytest.raises(program.InvalidExercise, match='Use letters, digits'):
-        packages.of_submission(EXERCISE, {**files, f'{FOLDER}/../../x': b''})
+        package_answers.of_submission(EXERCISE, {**files, f'{FOLDER}/../../x': b''})
     with pytest.raises(program.InvalidExercise, match='the name of the folder of patrol/__init__.py'):
-        packages.of_submission(EXERCISE, {**files, f'{FOLDER}/patrol': b''})
+        package_answers.of_submission(EXERCISE, {**files, f'{FOLDER}/patrol': b''})
 
 
 # A new version of the course
@@ -286,7 +286,7 @@ def test_a_package_goes_into_the_new_version(tmp_path, versions):
     assert said.said.startswith('carried over: my_ws/src/patrol, 3 files') and not (tmp_path / 'new/my_ws').exists()
     said, report = versions()
     assert not said.lost and report.packages == [tmp_path / 'new' / FOLDER]
-    old, new = (packages.read(tmp_path / name, FOLDER) for name in ('old', 'new'))
+    old, new = (package_answers.read(tmp_path / name, FOLDER) for name in ('old', 'new'))
     assert new.files == old.files and not new.left_out
     assert versions()[0].said == 'has this answer already'
 
@@ -296,7 +296,7 @@ def test_another_package_stays(tmp_path, versions):
     make(tmp_path / 'new', {'package.xml': 'newer'})
     said, report = versions()
     assert said.lost and 'which stays' in said.said and not report.packages
-    assert packages.read(tmp_path / 'new', FOLDER).files == {'package.xml': b'newer'}
+    assert package_answers.read(tmp_path / 'new', FOLDER).files == {'package.xml': b'newer'}
 
 
 def test_no_package_in_the_old_version(versions):

@@ -32,7 +32,7 @@ class Packed:
     folder: Path  # of the notebooks
     exercises: list = field(default_factory=list)  # ExerciseResult
     warnings: list[str] = field(default_factory=list)  # what is not in it, or not as it was checked
-    packages: dict[str, Any] = field(default_factory=dict)  # by folder: `helpers.exercises.packages.Package`
+    packages: dict[str, Any] = field(default_factory=dict)  # by folder: `helpers.exercises.package_answers.Package`
     cells: dict[str, list] = field(default_factory=dict)  # by notebook: its NotebookCells
 
     def lists(self) -> list[str]:
@@ -75,7 +75,7 @@ def pack(learner: str | None = None, output: Path | None = None, *, notebooks_fo
 
     :raises SubmissionError: no notebook of the course is there, one cannot be read, or the learner's id is unusable.
     """
-    from helpers.exercises import manifest, notebooks, packages, program
+    from helpers.exercises import manifest, notebooks, package_answers, program
 
     learner = learner or _login()
     if not LEARNER.fullmatch(learner):
@@ -100,7 +100,7 @@ def pack(learner: str | None = None, output: Path | None = None, *, notebooks_fo
         if not exercise.folder:
             continue
         try:
-            package = packages.read(notebooks_folder, exercise.folder)
+            package = package_answers.read(notebooks_folder, exercise.folder)
         except program.InvalidExercise as error:
             packed.warnings.append(f'The package of exercise {exercise.id} is not in the file. {error}')
             continue

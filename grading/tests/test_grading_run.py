@@ -16,7 +16,7 @@ import psutil
 import pytest
 
 from environment.setup import whole_file
-from grading import grade, gradebook, reports, submissions
+from grading import gradebook, grading_run, reports, submissions
 from grading.adjustments import Adjustment
 from grading.late import Late, Policy
 from grading.record import Attempt, Record
@@ -37,7 +37,7 @@ WORKS = {
 }
 
 
-class Heard(grade.Listener):
+class Heard(grading_run.Listener):
     """What a run tells."""
 
     def __init__(self):
@@ -67,7 +67,7 @@ def course(tmp_path):
     """A course with one exercise, one visible and one hidden test."""
     small.write_tests(tmp_path, small.VISIBLE)
     small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
-    return grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'exercises', 'none')
+    return grading_run.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'exercises', 'none')
 
 
 @pytest.fixture
@@ -83,7 +83,7 @@ def works(tmp_path):
 def test_grade(course, works, tmp_path):
     output = tmp_path / 'out'
     heard = Heard()
-    records = grade.grade(works, course, output, 2, heard)
+    records = grading_run.grade(works, course, output, 2, heard)
     rows = list(csv.DictReader(io.StringIO((output / 'gradebook.csv').read_text())))
     assert rows == [
         {'learner': 'ada', '90.1': '10', 'total': '10', 'status': 'graded'},
@@ -158,17 +158,17 @@ def _again(course, works, output):
     """Run again: nothing is graded anew, and nothing changes but the log."""
     before = contents(output)
     heard = Heard()
-    grade.grade(works, course, output, 2, heard)
+    grading_run.grade(works, course, output, 2, heard)
     assert not heard.fresh and contents(output) == before
 
 
 SCRIPT = """
 import sys
 from pathlib import Path
-from grading import grade, submissions
+from grading import grading_run, submissions
 from helpers.tests import small
 
-class Told(grade.Listener):
+class Told(grading_run.Listener):
     def tested(self, learner, test):
         print('tested', flush=True)
 
@@ -176,9 +176,9 @@ class Told(grade.Listener):
         print('fresh' if fresh else 'kept', flush=True)
 
 folder = Path(sys.argv[1])
-course = grade.Course((small.exercise(),), folder / 'checks', folder / 'exercises', 'none')
+course = grading_run.Course((small.exercise(),), folder / 'checks', folder / 'exercises', 'none')
 works = [work for work in submissions.find([folder / 'works']) if work.learner in ('ada', 'bob', 'fay')]
-grade.grade(works, course, folder / 'out', 2, Told(), grade.Settings(seed='s'))
+grading_run.grade(works, course, folder / 'out', 2, Told(), grading_run.Settings(seed='s'))
 """
 
 
@@ -209,7 +209,7 @@ def test_killed_while_tests_run(course, works, tmp_path):
     assert process.returncode == 0 and said.count('kept') == len(kept) and said.count('fresh') == 3 - len(kept)
     assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in found.glob('*.json')}.items()
     mine = [work for work in works if work.learner in ('ada', 'bob', 'fay')]
-    expected = grade.grade(mine, course, tmp_path / 'undisturbed', 2, settings=grade.Settings(seed='s'))
+    expected = grading_run.grade(mine, course, tmp_path / 'undisturbed', 2, settings=grading_run.Settings(seed='s'))
     assert [Record.load(found / f'{record.learner}.json') for record in expected] == expected
     books = [(tmp_path / folder / 'gradebook.csv').read_bytes() for folder in ('out', 'undisturbed')]
     assert books[0] == books[1]
@@ -219,7 +219,7 @@ def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
     (course.hidden / '90_1' / 'hidden.py').write_text('nonsense(')
     (tmp_path / 'ada.ipynb').write_bytes(WORKS['ada'])
     work = submissions.find([tmp_path / 'ada.ipynb'])
-    (record,) = grade.grade(work, course, tmp_path / 'out')
+    (record,) = grading_run.grade(work, course, tmp_path / 'out')
     assert (record.status, record.score) == ('grader_error', None)
     assert (tmp_path / 'out' / 'gradebook.csv').read_text() == 'learner,90.1,total,status\nada,,,grader_error\n'
     page = (tmp_path / 'out' / 'feedback' / 'ada.html').read_text()
@@ -228,7 +228,7 @@ def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
     assert 'score' not in json.loads((tmp_path / 'out' / 'gradescope' / 'ada.json').read_text())
     # Repaired, it is graded in the next run.
     small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
-    (record,) = grade.grade(work, course, tmp_path / 'out')
+    (record,) = grading_run.grade(work, course, tmp_path / 'out')
     assert (record.status, record.score) == ('graded', 10)
 
 
@@ -296,15 +296,15 @@ def _zip(folder: Path, name: str, learner: str, data: bytes, **label) -> Path:
 @pytest.mark.parametrize('name', ['eve.zip', 'submission-eve.zip', 'x (1).zip'])
 def test_an_id_in_a_zip_replaces_nobodys_record(course, tmp_path, name, anonymous):
     """Not even in a later run, in which the other one's work is not there. Who had the id keeps it."""
-    output, settings = tmp_path / 'out', grade.Settings(anonymous=anonymous)
+    output, settings = tmp_path / 'out', grading_run.Settings(anonymous=anonymous)
     mine = [_zip(tmp_path / 'a', 'submission-ada.zip', 'ada', WORKS['ada'])]
-    grade.grade(submissions.find(mine), course, output, settings=settings)
+    grading_run.grade(submissions.find(mine), course, output, settings=settings)
     hers = [_zip(tmp_path / 'b', name, 'ada', WORKS['eve'], saved='2030-01-01T00:00:00Z')]
-    records = grade.grade(submissions.find(hers), course, output, settings=settings)
+    records = grading_run.grade(submissions.find(hers), course, output, settings=settings)
     assert sorted(record.score for record in records) == [0, 10]
     assert ('there is a note' if anonymous else 'on record under another name') in (output / 'run.log').read_text()
     later = [_zip(tmp_path / 'c', 'ada.zip', 'ada', WORKS['bob'], saved='2030-01-01T00:00:00Z')]
-    records = grade.grade(submissions.find(later), course, output, settings=settings)
+    records = grading_run.grade(submissions.find(later), course, output, settings=settings)
     assert sorted(record.score for record in records) == [0, 2.5]
 
 
@@ -313,10 +313,10 @@ def test_names_that_give_the_same_id_in_two_runs(course, tmp_path):
         for old in tmp_path.glob('*.ipynb'):
             old.unlink()
         (tmp_path / f'{name}.ipynb').write_bytes(WORKS[work])
-        records = grade.grade(submissions.find([tmp_path / f'{name}.ipynb']), course, tmp_path / 'out')
+        records = grading_run.grade(submissions.find([tmp_path / f'{name}.ipynb']), course, tmp_path / 'out')
     assert {record.own: record.score for record in records} == {'José': 2.5, 'Jose': 0}
     (tmp_path / 'Jose.ipynb').write_bytes(WORKS['ada'])
-    records = grade.grade(submissions.find(sorted(tmp_path.glob('*.ipynb'))), course, tmp_path / 'out')
+    records = grading_run.grade(submissions.find(sorted(tmp_path.glob('*.ipynb'))), course, tmp_path / 'out')
     assert {record.own: record.score for record in records} == {'José': 2.5, 'Jose': 10}
 
 
@@ -341,14 +341,14 @@ def test_a_record_that_cannot_be_read_harms_nobody(course, tmp_path, harm):
     policy = Policy(datetime(2030, 1, 1, tzinfo=timezone.utc))
     for learner in ('ada', 'bob'):
         _work(tmp_path, f'{learner}.ipynb').write_bytes(WORKS[learner])
-    settings = grade.Settings(late=policy)
-    grade.grade(submissions.find(tmp_path.glob('*.ipynb')), course, tmp_path / 'out', settings=settings)
+    settings = grading_run.Settings(late=policy)
+    grading_run.grade(submissions.find(tmp_path.glob('*.ipynb')), course, tmp_path / 'out', settings=settings)
     path = tmp_path / 'out' / 'results' / 'ada.json'
     harmed = harm(json.loads(path.read_text()))
     path.write_text(harmed if isinstance(harmed, str) else json.dumps(harmed))
-    records = grade.grade(submissions.find([tmp_path / 'bob.ipynb']), course, tmp_path / 'out', settings=settings)
+    records = grading_run.grade(submissions.find([tmp_path / 'bob.ipynb']), course, tmp_path / 'out', settings=settings)
     assert [(record.learner, record.score) for record in records] == [('bob', 2.5)]
-    records = grade.grade(submissions.find(tmp_path.glob('*.ipynb')), course, tmp_path / 'out', settings=settings)
+    records = grading_run.grade(submissions.find(tmp_path.glob('*.ipynb')), course, tmp_path / 'out', settings=settings)
     assert [(record.learner, record.score) for record in records] == [('ada', 10), ('bob', 2.5)]
 
 

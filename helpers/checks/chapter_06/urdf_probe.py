@@ -1,4 +1,4 @@
-"""Looks at the robot of a URDF: `python probe.py FILE.urdf TASK JSON`, results as JSON on standard output.
+"""Looks at the robot of a URDF: `python urdf_probe.py FILE.urdf TASK JSON`, results as JSON on standard output.
 
 Tests run it on the learner's side (see `scouts.py`): a text of the learner's is not parsed on the tests' side. Tasks
 are `frames`, `bodies`, `scan` and `ride`; JSON is what a test has drawn. `refused` is there alone if the URDF cannot be

@@ -5,7 +5,7 @@ import threading
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 
-from grading.grade import Listener
+from grading.grading_run import Listener
 from grading.record import Record
 
 

@@ -1,7 +1,6 @@
 """`check` and `submit` in a kernel, on the command line, and what they show."""
 
 import dataclasses
-import importlib
 import json
 import os
 import re
@@ -17,15 +16,11 @@ from typer.testing import CliRunner
 from helpers import paths
 from helpers.cli import Refusal
 from helpers.cli.app import make_app
-from helpers.exercises import manifest, notebooks, progress_file, result_display
+from helpers.exercises import exercise_check, handing_in, manifest, notebooks, progress_file, result_display
 from helpers.kernel.journal import ExecutedCell
 from helpers.runner import results, session
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.tests import small
-
-# `from helpers import check` is the function.
-check = importlib.import_module('helpers.exercises.check')
-submitting = importlib.import_module('helpers.exercises.submit')
 
 
 def result(verdict='failed', **changes):
@@ -137,7 +132,7 @@ def test_the_latest_cells_of_a_kernel(monkeypatch):
     first = '# Exercise 90.1: a talker\nclass Talker: old'
     second = '# Exercise 90.1: a talker\nclass Talker: new'
     monkeypatch.setattr(
-        check.journal,
+        exercise_check.journal,
         'cells',
         [
             ExecutedCell('i', 'import os'),
@@ -149,14 +144,14 @@ def test_the_latest_cells_of_a_kernel(monkeypatch):
             ExecutedCell('y', '# Exercise 90.2: b\nB = 1'),
         ],
     )
-    assert [cell.source for cell in check.executed(exercise)] == [
+    assert [cell.source for cell in exercise_check.executed(exercise)] == [
         'import sys',
         'A = 1',
         '# Exercise 90.2: b\nB = 1',
         second,
     ]
-    monkeypatch.setattr(check.journal, 'cells', [ExecutedCell('i', 'import os')])
-    assert check.executed(exercise) is None
+    monkeypatch.setattr(exercise_check.journal, 'cells', [ExecutedCell('i', 'import os')])
+    assert exercise_check.executed(exercise) is None
 
 
 @pytest.mark.parametrize(
@@ -171,8 +166,8 @@ def test_the_latest_cells_of_a_kernel(monkeypatch):
 )
 def test_cells_with_one_heading(monkeypatch, cells, expected):
     heading = '# Exercise 90.1: a talker\n'
-    monkeypatch.setattr(check.journal, 'cells', [ExecutedCell(name, heading + text) for name, text in cells])
-    found = check.executed(small.exercise())
+    monkeypatch.setattr(exercise_check.journal, 'cells', [ExecutedCell(name, heading + text) for name, text in cells])
+    found = exercise_check.executed(small.exercise())
     assert [cell.id for cell in found] == expected and found[-1].source.endswith(dict(cells)[expected[-1]])
 
 
@@ -197,11 +192,11 @@ def test_a_cell_that_was_edited_and_not_run_is_named(tmp_path, monkeypatch, rate
     path = tmp_path / exercise.notebook
     nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
     os.utime(path, (1000, 1000))
-    monkeypatch.setattr(check.paths, 'NOTEBOOKS', tmp_path)
+    monkeypatch.setattr(exercise_check.paths, 'NOTEBOOKS', tmp_path)
     monkeypatch.setattr(manifest, 'load', lambda: {exercise.id: exercise})
     noted = [ExecutedCell('helper', 'RATE = 5', ran), ExecutedCell('answer', heading + 'rate = RATE', ran)]
-    monkeypatch.setattr(check.journal, 'cells', noted)
-    said = check._unlike_saved([result(verdict, tests=[])])
+    monkeypatch.setattr(exercise_check.journal, 'cells', noted)
+    said = exercise_check._unlike_saved([result(verdict, tests=[])])
     assert [line.startswith(words) for line, words in zip(said, expected, strict=True)] == [True] * len(expected)
 
 
@@ -224,26 +219,26 @@ def test_a_right_answer_in_another_notebook_is_not_handed_in(tmp_path, monkeypat
             (tmp_path / name).parent.mkdir(exist_ok=True)
             (tmp_path / name).touch()
     (tmp_path / 'link').symlink_to(tmp_path / 'notebooks')
-    monkeypatch.setattr(check.paths, 'ROOT', tmp_path)
-    monkeypatch.setattr(check.paths, 'NOTEBOOKS', tmp_path / 'notebooks')
+    monkeypatch.setattr(exercise_check.paths, 'ROOT', tmp_path)
+    monkeypatch.setattr(exercise_check.paths, 'NOTEBOOKS', tmp_path / 'notebooks')
     monkeypatch.setattr(manifest, 'load', lambda: {exercise.id: exercise})
     monkeypatch.setenv('JPY_SESSION_NAME', str(tmp_path / here))
-    told = check._elsewhere([result(verdict, tests=[])])
+    told = exercise_check._elsewhere([result(verdict, tests=[])])
     assert [line.startswith(said) for line in told] == [True] * bool(said)
 
 
 def test_check_never_raises(monkeypatch, capsys):
-    check.check('99.9')
+    exercise_check.check('99.9')
     assert 'there is no exercise' in capsys.readouterr().out
-    check.check(8.10)
+    exercise_check.check(8.10)
     assert 'Write quotes: check("8.1") or check("8.10")' in capsys.readouterr().out
-    check.check(99.9)
+    exercise_check.check(99.9)
     assert "there is no exercise '99.9'; there are 1.1 to 1.4, 2.1 to 2.5, " in capsys.readouterr().out
-    check.check('3.10')
+    exercise_check.check('3.10')
     assert "there is no exercise '3.10'; there are 3.1, 3.2, 3.3, 3.4, 3.5, 3.6. " in capsys.readouterr().out
-    monkeypatch.setattr(check, 'run_tests', lambda exercise_id: print(f'<{exercise_id}>') or 1 / 0)
+    monkeypatch.setattr(exercise_check, 'run_tests', lambda exercise_id: print(f'<{exercise_id}>') or 1 / 0)
     for written in (' 3.1 ', '3.1.', '３．１', 3.1):  # noqa: RUF001 - the wide digits of an input method
-        check.check(written)
+        exercise_check.check(written)
         assert '<3.1>' in capsys.readouterr().out
     monkeypatch.undo()
     for error, text in ((RuntimeError('boom'), 'The check could not run: boom'), (KeyboardInterrupt(), 'was stopped')):
@@ -251,15 +246,15 @@ def test_check_never_raises(monkeypatch, capsys):
         def fail(exercise_id, error=error):
             raise error
 
-        monkeypatch.setattr(check, 'run_tests', fail)
-        check.check('3.1')
+        monkeypatch.setattr(exercise_check, 'run_tests', fail)
+        exercise_check.check('3.1')
         assert text in capsys.readouterr().out
 
 
 def test_check_inside_of_a_tested_cell_does_nothing(monkeypatch, capsys):
     monkeypatch.setenv('COURSE_RUNNER', '1')
-    check.check('3.1')
-    submitting.submit()
+    exercise_check.check('3.1')
+    handing_in.submit()
     assert capsys.readouterr().out == ''
 
 
@@ -305,7 +300,7 @@ def test_submit(tmp_path):
     found = CliRunner().invoke(make_app(), ['submit', '--id', 'ada', '-o', str(tmp_path / 'ada.zip')])
     assert found.exit_code == 0 and '0 of' in found.output and 'Not solved yet' in found.output
     assert found.output.index('Packed for ada') < found.output.index('Exercise 1.1') < found.output.index('0 of')
-    again = submitting.pack('ada', tmp_path / 'again.zip')
+    again = handing_in.pack('ada', tmp_path / 'again.zip')
     assert again.path.read_bytes() == (tmp_path / 'ada.zip').read_bytes()
     with zipfile.ZipFile(again.path) as archive:
         label = json.loads(archive.read('submission.json'))
@@ -325,8 +320,8 @@ def test_submit_names_what_a_check_has_found_solved_and_nobody_has_saved(tmp_pat
     (tmp_path / progress_file.FILE).write_text(
         json.dumps({one: dataclasses.asdict(mark) for one, mark in marks.items()})
     )
-    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
-    assert not packed.warnings and [len(results) for results in submitting.tested(packed)] == [4]
+    packed = handing_in.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    assert not packed.warnings and [len(results) for results in handing_in.tested(packed)] == [4]
     (said,) = packed.warnings
     assert said.startswith(f'Exercise {first.id}: its last check found it solved') and first.notebook in said
 
@@ -349,7 +344,7 @@ def test_submit_packs_what_grading_can_read(tmp_path):
     head = {'nbformat': 3, 'nbformat_minor': 0, 'metadata': {'name': ''}}
     (tmp_path / old).write_text(json.dumps({**head, 'worksheets': [{'metadata': {}, 'cells': [cell]}]}))
     (tmp_path / other).write_text('{"nbformat": 4, "metadata": {"x": %s}, "cells": []}' % ('9' * 5000))
-    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    packed = handing_in.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     with zipfile.ZipFile(packed.path) as archive:
         kept = [json.loads(archive.read(name)) for name in archive.namelist() if name.endswith('.ipynb')]
     assert [one['nbformat'] for one in kept] == [4, 4] and kept[0]['cells'][0]['source'] == 'x = 1'
@@ -365,18 +360,18 @@ def test_submit_names_answers_in_copies(tmp_path):
     cell = next(cell for cell in original.cells if cell.source.startswith('# Exercise 3.1'))
     cell.source += '\nanswer = 42'
     nbformat.write(original, tmp_path / 'solved-Copy1.ipynb')
-    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    packed = handing_in.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     (said,) = packed.warnings
     assert said.startswith('solved-Copy1.ipynb is not in the file') and 'other cells of 3.1: copy' in said
     nbformat.write(original, tmp_path / exercise.notebook)
-    assert not submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path).warnings
+    assert not handing_in.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path).warnings
 
 
 @pytest.mark.parametrize('learner', ['../x', '=1', 'a b', 'ü', '', 'x' * 65])
 def test_unusable_ids(tmp_path, monkeypatch, learner):
-    monkeypatch.setattr(submitting, '_login', lambda: 'no good')
-    with pytest.raises(submitting.SubmissionError, match='cannot be an id'):
-        submitting.pack(learner, tmp_path / 'x.zip')
+    monkeypatch.setattr(handing_in, '_login', lambda: 'no good')
+    with pytest.raises(handing_in.SubmissionError, match='cannot be an id'):
+        handing_in.pack(learner, tmp_path / 'x.zip')
     assert not list(tmp_path.iterdir())
 
 
@@ -384,18 +379,18 @@ def test_half_a_surrogate_pair_is_handed_in_as_it_is(tmp_path):
     """An emoji that was cut in two would make the whole notebook unreadable, if it were written as UTF-8."""
     name = next(iter(manifest.load().values())).notebook
     (tmp_path / name).write_bytes(small.notebook('x = "\ud83d"'))
-    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    packed = handing_in.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     with zipfile.ZipFile(packed.path) as archive:
         assert 'x = "\ud83d"' in [cell.source for cell in notebooks.parse(archive.read(name), name)]
 
 
 def test_nothing_to_submit(tmp_path):
-    with pytest.raises(submitting.SubmissionError, match='no notebook of the course'):
-        submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    with pytest.raises(handing_in.SubmissionError, match='no notebook of the course'):
+        handing_in.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     name = next(iter(manifest.load().values())).notebook
     (tmp_path / name).write_text('{')
-    with pytest.raises(submitting.SubmissionError, match='not valid JSON'):
-        submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    with pytest.raises(handing_in.SubmissionError, match='not valid JSON'):
+        handing_in.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     (tmp_path / name).write_bytes(small.notebook('x'))
-    with pytest.raises(submitting.SubmissionError, match='cannot be written'):
-        submitting.pack('ada', tmp_path / name / 'x.zip', notebooks_folder=tmp_path)
+    with pytest.raises(handing_in.SubmissionError, match='cannot be written'):
+        handing_in.pack('ada', tmp_path / name / 'x.zip', notebooks_folder=tmp_path)

@@ -12,7 +12,7 @@ from nbformat import NotebookNode
 from environment.setup import whole_file
 from grading.authoring import book as books
 from grading.authoring import chapter as chapters
-from grading.authoring import execution, figures, indexes, notebooks, outputs, rules
+from grading.authoring import execution, figures, indexes, notebook_pair, outputs, rules
 from grading.authoring.chapter import Chapter
 from grading.authoring.chapter_errors import AuthoringError, ChapterErrors
 from helpers.exercises import manifest
@@ -117,7 +117,7 @@ def build(
             continue
         for text in rules.advice(chapter):
             say(text)
-        whole_file.update(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)))
+        whole_file.update(tree.learner(chapter), notebook_pair.dumps(notebook_pair.learner(chapter)))
         if not force and not solved_drift(tree, chapter):
             say(f'{chapter.name}: unchanged')
             continue
@@ -142,7 +142,7 @@ def solved_drift(tree: Tree, chapter: Chapter) -> list[str]:
     drift = [] if len(text.encode()) <= outputs.MAX_BYTES else [f'is larger than {outputs.MAX_BYTES // 1000} kB']
     if any(cell.cell_type == 'code' and cell.execution_count is None for cell in notebook.cells):
         drift.append('has cells that were never executed')
-    return drift + differences(notebook, notebooks.solved(chapter)) + other_rules(notebook, chapter)
+    return drift + differences(notebook, notebook_pair.solved(chapter)) + other_rules(notebook, chapter)
 
 
 def differences(found: nbformat.NotebookNode, wanted: nbformat.NotebookNode) -> list[str]:
@@ -188,14 +188,14 @@ def _draw(tree: Tree) -> None:
 
 
 def _executed(tree: Tree, chapter: Chapter, timeout: float, keep: bool, say: Callable[[str], None]) -> str:
-    notebook = notebooks.solved(chapter)
+    notebook = notebook_pair.solved(chapter)
     if keep and _keep_outputs(tree.solved(chapter), notebook) and not other_rules(notebook, chapter):
         say(f'{chapter.name}: only its prose has changed')
     else:
         say(f'{chapter.name}: executing')
         execution.execute(notebook, chapter, tree.notebooks, timeout)
         outputs.settle(notebook, tree.root)
-    text = notebooks.dumps(notebook)
+    text = notebook_pair.dumps(notebook)
     size = len(text.encode()) / 1e6
     if size > outputs.MAX_BYTES / 1e6:
         raise AuthoringError(
