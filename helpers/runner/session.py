@@ -136,16 +136,7 @@ def judge(
                 collection.compare(exercise, programs[exercise.id], options.reference, places, say)
         return collection
 
-    with stop:
-        if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
-            collections = [collect(share) for share in shares]
-        else:
-            with ThreadPoolExecutor(lanes if len(running) > 1 else len(shares)) as pool:
-                try:
-                    collections = list(pool.map(collect, shares))
-                except BaseException:  # Ctrl+C: the pool waits for its threads
-                    stop.now()
-                    raise
+    collections = _side_by_side(collect, shares, lanes if len(running) > 1 else len(shares), stop)
     for exercise in running:
         mine = [one for one in collections if exercise in one.share.exercises]
         judged[exercise.id] = _result(exercise, mine, programs[exercise.id].get('notes', ()))
@@ -157,6 +148,21 @@ def judge(
         sum((collection.spent for collection in collections), Counter()),
         {exercise.id: options.seeds.get(exercise.id, options.seed) for exercise in exercises},
     )
+
+
+def _side_by_side(
+    collect: 'Callable[[_Share], _Collection]', shares: 'list[_Share]', lanes: int, stop: stopping.Stop
+) -> 'list[_Collection]':
+    """What `collect` returns for each share, as many at a time as there are lanes."""
+    with stop:
+        if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
+            return [collect(share) for share in shares]
+        with ThreadPoolExecutor(lanes) as pool:
+            try:
+                return list(pool.map(collect, shares))
+            except BaseException:  # Ctrl+C: the pool waits for its threads
+                stop.now()
+                raise
 
 
 def _result(exercise: Exercise, collections: 'list[_Collection]', notes: Iterable[str]) -> ExerciseResult:

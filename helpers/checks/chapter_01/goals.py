@@ -117,17 +117,7 @@ class Drive:
             'goal is near, and stop there.'
         )
         late = nearest > 0.6 or sim.distance(*self.goal) < WITHIN
-        expect(
-            not sim.bumps or not late or wall_near,
-            f'{self.way}the turtle drove to a wall, at {place}, and came to {nearest:.2f} m of the goal. The direction '
-            'is math.atan2(dy, dx), in radians, and the heading is subtracted from it.',
-            'reach',
-        )
-        expect(
-            not sim.bumps or not late,
-            f'{self.way}the turtle ran into a wall at {place}. Turn first; drive when the direction is nearly right.',
-            'walls',
-        )
+        self._no_wall(nearest, late, place, wall_near)
         expect(not sim.bumps, passed, 'stop')
         expect(
             sim.turned < DIZZY or sim.distance(*self.start[:2]) > 1,
@@ -161,6 +151,20 @@ class Drive:
             'short-way',
         )
         self._turned_first(speeds)
+
+    def _no_wall(self, nearest: float, late: bool, place: str, wall_near: bool) -> None:
+        """The turtle has run into no wall, unless it had been at the goal before (not `late`)."""
+        expect(
+            not self.sim.bumps or not late or wall_near,
+            f'{self.way}the turtle drove to a wall, at {place}, and came to {nearest:.2f} m of the goal. The direction '
+            'is math.atan2(dy, dx), in radians, and the heading is subtracted from it.',
+            'reach',
+        )
+        expect(
+            not self.sim.bumps or not late,
+            f'{self.way}the turtle ran into a wall at {place}. Turn first; drive when the direction is nearly right.',
+            'walls',
+        )
 
     def _drive(self) -> tuple[float, float, list[tuple[float, float]]]:
         """Let it drive until it has arrived, is dizzy or is late.

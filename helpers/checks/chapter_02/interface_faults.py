@@ -13,28 +13,8 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
     :param output: what the build printed. :param reason: gives the best line of it, where the cause is none of these.
     """
     text = ' '.join(output.split())
-    if found := re.search(r"'(\w+)' is an invalid constant name", text):
-        name = found[1]
-        if name.upper() == 'FULL':
-            return f'The name of the constant is `{name}`. A constant has capital letters: FULL.', 'full'
-        return (
-            f'The line of `{name}` has a `=`, so it is a constant, and a constant has capital letters. A default '
-            'value follows after a space only.'
-        ), 'default' if name == 'speed' else 'full'
-    if (found := re.search(r"'(\w+)' is an invalid field name", text)) and found[1].upper() == found[1]:
-        return (
-            f'The line of `{found[1]}` has no `=`, so it is a field, and fields have small letters. A constant has a '
-            '`=` before its value.'
-        ), 'full' if found[1] == 'FULL' else _rule(output)
-    if found := re.search(r"'(\w+)' is an invalid field name", text):
-        return f'`{found[1]}` cannot be the name of a field: it has small letters, digits and single _ only.', _rule(
-            output
-        )
-    if found := re.search(r"InvalidResourceName: '(float|int|uint|double|long|str|text)' is an invalid", text):
-        known = {'float': 'float32 and float64', 'double': 'float64'}.get(found[1], 'int32, uint8, string and others')
-        return f'There is no type {found[1]} in interfaces: ROS has {known}.', _rule(output)
-    if found := re.search(r'InvalidResourceName: (\w+)/(?:msg|srv)/(\w+)', text):
-        return f'In an interface file the type is written without /msg/: `{found[1]}/{found[2]}`.', 'charge'
+    if found := _cause_in_a_line(text, output):
+        return found
     if "KeyError: 'std_msgs'" in text:
         return (
             'Charge uses a type of std_msgs, and rosidl_generate_interfaces does not say so: write DEPENDENCIES '
@@ -73,6 +53,33 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
     if last := _last(output):
         return last, 'full' if 'InvalidValue' in last else 'both'
     return reason(output), 'both'
+
+
+def _cause_in_a_line(text: str, output: str) -> tuple[str, str] | None:
+    """The cause, if a line of an interface file has a name or a type that cannot be. `text`: `output` in one line."""
+    if found := re.search(r"'(\w+)' is an invalid constant name", text):
+        name = found[1]
+        if name.upper() == 'FULL':
+            return f'The name of the constant is `{name}`. A constant has capital letters: FULL.', 'full'
+        return (
+            f'The line of `{name}` has a `=`, so it is a constant, and a constant has capital letters. A default '
+            'value follows after a space only.'
+        ), 'default' if name == 'speed' else 'full'
+    if (found := re.search(r"'(\w+)' is an invalid field name", text)) and found[1].upper() == found[1]:
+        return (
+            f'The line of `{found[1]}` has no `=`, so it is a field, and fields have small letters. A constant has a '
+            '`=` before its value.'
+        ), 'full' if found[1] == 'FULL' else _rule(output)
+    if found := re.search(r"'(\w+)' is an invalid field name", text):
+        return f'`{found[1]}` cannot be the name of a field: it has small letters, digits and single _ only.', _rule(
+            output
+        )
+    if found := re.search(r"InvalidResourceName: '(float|int|uint|double|long|str|text)' is an invalid", text):
+        known = {'float': 'float32 and float64', 'double': 'float64'}.get(found[1], 'int32, uint8, string and others')
+        return f'There is no type {found[1]} in interfaces: ROS has {known}.', _rule(output)
+    if found := re.search(r'InvalidResourceName: (\w+)/(?:msg|srv)/(\w+)', text):
+        return f'In an interface file the type is written without /msg/: `{found[1]}/{found[2]}`.', 'charge'
+    return None
 
 
 def _rule(output: str) -> str:
