@@ -5,11 +5,11 @@ import threading
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 
-from grading.grading_run import Listener
+from grading.grading_run import RunListener
 from grading.record import Record
 
 
-class Shown(Listener):
+class ShownProgress(RunListener):
     """A context manager: shows progress while it is entered."""
 
     def __init__(self, console: Console):
@@ -26,7 +26,7 @@ class Shown(Listener):
         )
         self._total: TaskID | None = None
 
-    def __enter__(self) -> 'Shown':
+    def __enter__(self) -> 'ShownProgress':
         self._all.start()
         return self
 

@@ -26,7 +26,7 @@ from grading.reports.output import write_all
 from grading.submission import Submission, apart, identity
 from grading.unit import Outcome, judge
 
-__all__ = ['HIDDEN', 'Course', 'Listener', 'Settings', 'finish', 'grade', 'judge']
+__all__ = ['HIDDEN', 'Course', 'RunListener', 'Settings', 'finish', 'grade', 'judge']
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Settings:
     cluster: str = ''  # the address of a Dask scheduler; threads of this process if empty
 
 
-class Listener:
+class RunListener:
     """Is told how a run goes. `tested` may come from any thread."""
 
     def begun(self, todo: int, all_of_them: int) -> None:
@@ -61,7 +61,7 @@ def grade(
     course: Course,
     output: Path,
     jobs: int = 1,
-    listener: Listener | None = None,
+    listener: RunListener | None = None,
     settings: Settings = Settings(),
 ) -> list[Record]:
     """Grade what has no result in `output` yet, then write the reports and the gradebook.
@@ -78,7 +78,7 @@ def grade(
         Folder(output).open() as log,
     ):
         course = replace(course)  # whose digests are those of now
-        run = _Run(submissions, course, Folder(output), log, listener or Listener(), settings)
+        run = _Run(submissions, course, Folder(output), log, listener or RunListener(), settings)
         run.grade(cluster or parallel.Local(max(1, jobs)), jobs)
         finish(run.everybody(), course, output, run.files)
         log.info('done: %d records', len(run.records))
@@ -100,7 +100,7 @@ def finish(
 class _Run:
     """One run, while its folder is held."""
 
-    def __init__(self, submissions, course: Course, folder: Folder, log, listener: Listener, settings: Settings):
+    def __init__(self, submissions, course: Course, folder: Folder, log, listener: RunListener, settings: Settings):
         self.course, self.folder, self.log, self.listener, self.settings = course, folder, log, listener, settings
         self.seed = folder.settle(settings.seed, settings.anonymous, settings.chapters)
         self.records = folder.records()

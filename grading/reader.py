@@ -40,7 +40,7 @@ class TooMuch(Exception):
     """What was to be read took too much time or memory, or the reader's process crashed."""
 
 
-class Server:
+class ReaderServer:
     """The process that forks the readers."""
 
     def __init__(self):
@@ -82,7 +82,7 @@ class Server:
 
 
 _lock = threading.Lock()
-_server: Server | None = None
+_server: ReaderServer | None = None
 
 
 def ask(task: str, *arguments) -> tuple[Any, list[bytes]]:
@@ -95,12 +95,12 @@ def ask(task: str, *arguments) -> tuple[Any, list[bytes]]:
     return _running(fresh=True).ask(task, arguments)
 
 
-def _running(fresh: bool = False) -> Server:
+def _running(fresh: bool = False) -> ReaderServer:
     global _server
     with _lock:
         if _server is None or _server.owner != os.getpid() or fresh:
             _close()
-            _server = Server()
+            _server = ReaderServer()
         return _server
 
 

@@ -50,7 +50,7 @@ class Unusable(Exception):
     """A path that holds no submission; the message says what was expected."""
 
 
-class Programs(NamedTuple):
+class SubmittedPrograms(NamedTuple):
     """What a submission holds for some exercises, by the exercise's id."""
 
     programs: dict[str, dict]  # what the learner's process loads, see `helpers.exercises.program`
@@ -86,11 +86,11 @@ class Submission:
             digest.update(f'{name}\0{why}\0'.encode(errors='backslashreplace'))
         return digest.hexdigest()
 
-    def programs(self, exercises: Iterable[Exercise], course: Iterable[Exercise]) -> Programs:
+    def programs(self, exercises: Iterable[Exercise], course: Iterable[Exercise]) -> SubmittedPrograms:
         """The programs for some exercises of the course. Read in a child process."""
         exercises = list(exercises)
         if self.problem:
-            return Programs(
+            return SubmittedPrograms(
                 {}, dict.fromkeys((one.id for one in exercises), (verdicts.INVALID_SUBMISSION, self.problem))
             )
         found: dict[str, dict] = {}
@@ -106,7 +106,7 @@ class Submission:
                 without |= dict.fromkeys(
                     (one.id for one in mine), (verdicts.INVALID_SUBMISSION, f'{notebook}: {problem}')
                 )
-        return Programs(found, without)
+        return SubmittedPrograms(found, without)
 
 
 # In a child process

@@ -10,7 +10,7 @@ from pathlib import Path
 from environment.setup import forecast, overlay, relocation, tools
 from environment.setup.cache import Cache
 from environment.setup.cache import folder as cache_folder
-from environment.setup.errors import BuildError
+from environment.setup.errors import StepError
 from environment.setup.installed import Installed
 from environment.setup.stamps import digest
 
@@ -45,7 +45,7 @@ class Building:
         self.use_cache = not setup.underlay.stock and not self.cache.problem()
 
     def run(self) -> None:
-        """Make all packages fresh; those that are need nothing. Raises BuildError, and what `tools.explain` makes."""
+        """Make all packages fresh; those that are need nothing. Raises StepError, and what `tools.explain` makes."""
         self._forget_what_is_gone()
         due = [name for name, p in self.packages.items() if self.setup.stamps.read(p.stamp) != self.keys[name]]
         # A killed run's build may have gone on to its end: what it finished from these very sources counts.
@@ -151,7 +151,7 @@ class Building:
         missing = sorted(set(due) - set(built))
         if missing:
             log: Path = self.setup.layout.logs / 'colcon.log'
-            raise BuildError(f'colcon did not build {", ".join(missing)}', '', str(log))
+            raise StepError(f'colcon did not build {", ".join(missing)}', '', str(log))
 
 
 def _counted(packages: list[str], named: int = 5) -> str:

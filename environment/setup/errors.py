@@ -13,7 +13,7 @@ class PreflightError(Exception):
         self.remedy = remedy
 
 
-class BuildError(Exception):
+class StepError(Exception):
     """A step failed for a reason that is not a known one; `tail` holds its last lines of output."""
 
     def __init__(self, what: str, tail: str, log: str):

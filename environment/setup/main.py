@@ -10,7 +10,7 @@ from pathlib import Path
 from environment.setup import interpreter, interruption, mutex, preflight, startup, tools, usage
 from environment.setup import underlay as underlays
 from environment.setup.console import Console
-from environment.setup.errors import BuildError, PreflightError
+from environment.setup.errors import PreflightError, StepError
 from environment.setup.layout import Layout
 from environment.setup.stamps import Stamps
 from environment.setup.steps import VERSION, Setup
@@ -46,7 +46,7 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     except PreflightError as error:
         console.line(f'course: {error}')
         return UNUSABLE
-    except BuildError as failure:
+    except StepError as failure:
         console.line(failure.tail)
         console.line(f'course: {failure.what}; the whole output is in {failure.log}')
         return FAILED
@@ -70,7 +70,7 @@ def _ready(layout: Layout, environ: Mapping[str, str]) -> bool:
 def ensure(layout: Layout, environ: Mapping[str, str], console: Console) -> underlays.Underlay:
     """Make the environment fresh; returns the underlay it stands on. Quick when there is nothing to do.
 
-    Raises PreflightError, BuildError, KeyboardInterrupt.
+    Raises PreflightError, StepError, KeyboardInterrupt.
     """
     underlay = _underlay(layout, environ)
     setup = Setup(layout, underlay, environ, console)

@@ -13,7 +13,7 @@ NOT_INSTALLED = frozenset({'test'})
 
 
 @dataclass(frozen=True)
-class Package:
+class SourcePackage:
     name: str
     directory: Path
     needs: frozenset[str]
@@ -23,9 +23,9 @@ class Package:
         return f'package.{self.name}'
 
 
-def discover(sources: Path) -> dict[str, Package]:
+def discover(sources: Path) -> dict[str, SourcePackage]:
     """The ROS packages below `sources`, by name. Raises ValueError when two share a name."""
-    found: dict[str, Package] = {}
+    found: dict[str, SourcePackage] = {}
     for parent, directories, files in os.walk(sources):
         if 'COLCON_IGNORE' in files:
             directories.clear()
@@ -33,14 +33,14 @@ def discover(sources: Path) -> dict[str, Package]:
             directories.clear()
             root = ElementTree.parse(Path(parent, 'package.xml')).getroot()
             needs = frozenset(e.text.strip() for e in root if e.tag.endswith('depend') and e.text)
-            package = Package(root.findtext('name', '').strip(), Path(parent), needs)
+            package = SourcePackage(root.findtext('name', '').strip(), Path(parent), needs)
             if package.name in found:
                 raise ValueError(f'two packages are named {package.name}: {found[package.name].directory}, {parent}')
             found[package.name] = package
     return dict(sorted(found.items()))
 
 
-def keys(packages: dict[str, Package], foundation: str) -> dict[str, str]:
+def keys(packages: dict[str, SourcePackage], foundation: str) -> dict[str, str]:
     """A digest for each package: of its files, of what it stands on, and of the keys of the packages it needs."""
     done: dict[str, str] = {}
 

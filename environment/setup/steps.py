@@ -50,7 +50,7 @@ class Setup:
         """What the packages are built upon."""
         return digest(self.recipe(lock), self.stamps.read('venv'))
 
-    def packages(self) -> dict[str, overlay.Package]:
+    def packages(self) -> dict[str, overlay.SourcePackage]:
         found = overlay.discover(self.layout.sources)
         return {name: p for name, p in found.items() if not self.underlay.provides(name)}
 

@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Mapping
 
-from environment.setup.errors import BuildError, PreflightError
+from environment.setup.errors import PreflightError, StepError
 from environment.setup.layout import Layout
 from environment.setup.startup import drop_foreign_guard
 from environment.setup.underlay import Underlay
@@ -76,4 +76,4 @@ def explain(what: str, output: str, log: str, environ: Mapping[str, str]) -> Exc
             'PIP_INDEX_URL), then run ./course again',
         )
     tail = '\n'.join(output.strip().splitlines()[-20:])
-    return BuildError(f'failed: {what}', tail, log)
+    return StepError(f'failed: {what}', tail, log)

@@ -18,7 +18,7 @@ import pytest
 
 from environment.setup import mutex, requirements, startup, tool_processes, tools
 from environment.setup.console import Console
-from environment.setup.errors import BuildError, PreflightError
+from environment.setup.errors import PreflightError, StepError
 from environment.setup.layout import Layout
 from environment.setup.main import ROOT
 from environment.setup.underlay import Underlay
@@ -52,7 +52,7 @@ def test_a_password_in_the_index_is_not_shown():
 
 def test_any_other_failure_keeps_the_end_of_its_output():
     failure = tools.explain('building', '\n'.join(map(str, range(50))), 'a.log', {})
-    assert isinstance(failure, BuildError)
+    assert isinstance(failure, StepError)
     assert failure.tail.splitlines() == [str(n) for n in range(30, 50)]
 
 

@@ -27,7 +27,7 @@ _FENCE = re.compile(r'\s*(`{3,}|~{3,})(.*)')
 
 
 @dataclass(frozen=True)
-class Place:
+class Heading:
     """A heading of a chapter."""
 
     notebook: str
@@ -65,7 +65,7 @@ class Use:
     chapter: int
     path: Path
     line: int
-    place: Place | None  # the section
+    place: Heading | None  # the section
 
 
 @dataclass
@@ -73,8 +73,8 @@ class Book:
     """All chapters of a folder."""
 
     chapters: dict[int, str] = field(default_factory=dict)  # number -> notebook
-    sections: dict[str, Place] = field(default_factory=dict)  # '8.10', also 'A7.2'
-    exercises: dict[str, Place] = field(default_factory=dict)
+    sections: dict[str, Heading] = field(default_factory=dict)  # '8.10', also 'A7.2'
+    exercises: dict[str, Heading] = field(default_factory=dict)
     anchors: dict[str, set[str]] = field(default_factory=dict)  # notebook -> its anchors
     titles: dict[str, str] = field(default_factory=dict)  # notebook -> its title
     glossary_file: Path | None = None
@@ -136,13 +136,13 @@ def _scan(path: Path, book: Book) -> None:
                 book.uses.setdefault(target(role[2])[0], []).append(Use(number, path, offset + 1, section))
         if not (match := _HEADING.fullmatch(line)):
             continue
-        place = Place(notebook, text_of(match[1]))
+        place = Heading(notebook, text_of(match[1]))
         book.titles.setdefault(notebook, place.heading)
         anchors.add(place.anchor)
         if named := _NUMBER.match(place.heading):
             section = book.sections.setdefault(named[1], place)
     for card in _cards(lines, number):
-        place = Place(notebook, text_of(card.heading.lstrip('# ')))
+        place = Heading(notebook, text_of(card.heading.lstrip('# ')))
         anchors.add(place.anchor)
         book.exercises.setdefault(card.id, place)
 

@@ -77,7 +77,7 @@ class Card:
 
 
 @dataclass(frozen=True)
-class Part:
+class MarkdownCell:
     """A Markdown cell, read."""
 
     text: str  # as the notebooks show it
@@ -86,7 +86,7 @@ class Part:
     begin: int = 0  # offset of the line of the directive
 
 
-def read(source: str, chapter: int, in_card: bool) -> Part:
+def read(source: str, chapter: int, in_card: bool) -> MarkdownCell:
     """Read a Markdown cell. `in_card` says that the card of an exercise goes on in it.
 
     :raises CardError: a directive or a role is wrong, or a role stands outside of a card.
@@ -114,7 +114,7 @@ def read(source: str, chapter: int, in_card: bool) -> Part:
                 index, 'a rule outside of the card of an exercise', 'write it between the directive and the answer cell'
             )
     rules = tuple(_rule(lines, index, match) for index, match in found)
-    return Part(_ROLE.sub(lambda match: f'**{match[1]}**: ', '\n'.join(shown)), card, rules, begin)
+    return MarkdownCell(_ROLE.sub(lambda match: f'**{match[1]}**: ', '\n'.join(shown)), card, rules, begin)
 
 
 def declared(head: str, options: list[str], offset: int, chapter: int) -> Card:

@@ -21,7 +21,7 @@ RULES_KEPT = re.compile(r'\bof (\d+) rules are kept')  # in what a check prints
 
 
 @dataclass(frozen=True)
-class Tree:
+class CourseFolders:
     """Where sources and generated files are, below the root of the course."""
 
     root: Path
@@ -60,7 +60,7 @@ class Tree:
         return self.notebooks / f'{chapter.name}.ipynb'
 
 
-def read_all(tree: Tree) -> list[Chapter]:
+def read_all(tree: CourseFolders) -> list[Chapter]:
     """Read every source and check it against the rules.
 
     :raises ChapterErrors: with all mistakes found.
@@ -83,13 +83,13 @@ def read_all(tree: Tree) -> list[Chapter]:
     return read
 
 
-def pages(tree: Tree) -> dict[str, str]:
+def pages(tree: CourseFolders) -> dict[str, str]:
     """Return the pages for all chapters, glossary and symptoms, by file name; the sources are free of mistakes."""
     return indexes.pages(tree.solutions, books.load(tree.solutions))
 
 
 def build(
-    tree: Tree,
+    tree: CourseFolders,
     selected: set[int] | None = None,
     force: bool = False,
     timeout: float = execution.CELL_TIMEOUT,
@@ -129,7 +129,7 @@ def build(
         raise ChapterErrors(errors)
 
 
-def solved_drift(tree: Tree, chapter: Chapter) -> list[str]:
+def solved_drift(tree: CourseFolders, chapter: Chapter) -> list[str]:
     """Return in what the executed notebook differs from its source, as short texts; empty if in step."""
     path = tree.solved(chapter)
     try:
@@ -177,7 +177,7 @@ def other_rules(notebook: NotebookNode, chapter: Chapter) -> list[str]:
     return result
 
 
-def _draw(tree: Tree) -> None:
+def _draw(tree: CourseFolders) -> None:
     """Write all figures, and remove the pictures of those that are gone."""
     pictures = figures.pictures(tree.figures)
     for name, text in pictures.items():
@@ -187,7 +187,7 @@ def _draw(tree: Tree) -> None:
             path.unlink()
 
 
-def _executed(tree: Tree, chapter: Chapter, timeout: float, keep: bool, say: Callable[[str], None]) -> str:
+def _executed(tree: CourseFolders, chapter: Chapter, timeout: float, keep: bool, say: Callable[[str], None]) -> str:
     notebook = notebook_pair.solved(chapter)
     if keep and _keep_outputs(tree.solved(chapter), notebook) and not other_rules(notebook, chapter):
         say(f'{chapter.name}: only its prose has changed')

@@ -26,7 +26,7 @@ class Marks:
 
 
 @dataclass(frozen=True)
-class Row:
+class RuleCoverage:
     """One rule of one exercise."""
 
     exercise: str
@@ -51,7 +51,7 @@ class Row:
 class Table:
     """All rules of some exercises, and what is wrong with the marks."""
 
-    rows: list[Row] = field(default_factory=list)
+    rows: list[RuleCoverage] = field(default_factory=list)
     problems: list[str] = field(default_factory=list)
     without_rules: list[str] = field(default_factory=list)  # exercises
 
@@ -110,7 +110,7 @@ def table(exercises: Iterable[Exercise], checks: Path, folder: Path = variants.F
             ]
         for name in names:
             made.rows.append(
-                Row(
+                RuleCoverage(
                     exercise.id,
                     name,
                     tuple(visible.looks.get(name, ())),

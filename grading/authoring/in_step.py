@@ -1,11 +1,11 @@
 """Proves that the generated files are in step with their sources, without running anything."""
 
 from grading.authoring import chapter_build, figures, notebook_pair
-from grading.authoring.chapter_build import Tree
+from grading.authoring.chapter_build import CourseFolders
 from helpers.exercises import manifest
 
 
-def drift(tree: Tree) -> list[str]:
+def drift(tree: CourseFolders) -> list[str]:
     """Return one line for each generated file that its source would not give; empty if all is in step.
 
     :raises ChapterErrors: the sources themselves have mistakes.

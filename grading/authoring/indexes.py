@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from grading.authoring import glossary, references, table_names
-from grading.authoring.book import Book, Place, prose
+from grading.authoring.book import Book, Heading, prose
 
 SYMPTOMS = 'SYMPTOMS.md'
 PAGES = (glossary.PAGE, SYMPTOMS)
@@ -62,7 +62,7 @@ def _symptoms(folder: Path, book: Book) -> str:
     return '\n'.join([head, *parts])
 
 
-def _rows(lines: list[str], chapter: int, book: Book) -> list[tuple[str, str, Place]]:
+def _rows(lines: list[str], chapter: int, book: Book) -> list[tuple[str, str, Heading]]:
     """Symptom, cause and section of each row of a chapter's table."""
     rows, header, place = [], None, None
     for _, line in prose(lines):

@@ -1,9 +1,9 @@
 """Benchmarks. ``bench_NAME.py``, here or in environment/bench or helpers/bench, is found by ``./course bench``.
 
-Such a module defines ``measure()``, which yields a `Figure` for each number, or a tuple of a Figure's first fields, and
-says in the first line of its docstring what is measured. Where the course adds something to rclpy, or does what another
-program does, too, a figure has a reference: the same task, measured in the same run and in turn, so that what slows the
-machine down slows both.
+Such a module defines ``measure()``, which yields a `Measurement` for each number, or a tuple of the first fields of
+one, and says in the first line of its docstring what is measured. Where the course adds something to rclpy, or does
+what another program does, too, a figure has a reference: the same task, measured in the same run and in turn, so that
+what slows the machine down slows both.
 """
 
 import ast
@@ -14,7 +14,7 @@ from typing import NamedTuple
 FOLDERS = ('environment/bench', 'helpers/bench', 'grading/bench')
 
 
-class Figure(NamedTuple):
+class Measurement(NamedTuple):
     """One number: ``what`` it is of, its ``value`` and ``unit``; and in the same unit the value of a ``reference``."""
 
     what: str
@@ -43,7 +43,7 @@ def title(path: Path) -> str:
     return (ast.get_docstring(ast.parse(path.read_text(encoding='utf-8'))) or path.stem).splitlines()[0]
 
 
-def run(path: Path) -> Iterator[Figure]:
+def run(path: Path) -> Iterator[Measurement]:
     """Import and run one benchmark; yields its figures as they are measured.
 
     :raises RuntimeError: the value of a reference is zero: nothing was measured.
@@ -54,7 +54,7 @@ def run(path: Path) -> Iterator[Figure]:
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     for row in module.measure():
-        figure = Figure(*row)
+        figure = Measurement(*row)
         if figure.reference_value == 0:
             raise RuntimeError(f'{figure.what}: nothing was measured with {figure.reference}')
         yield figure

@@ -5,13 +5,13 @@ import subprocess
 import time
 from collections.abc import Iterator
 
-from grading.bench import Figure
+from grading.bench import Measurement
 from helpers import paths
 
 REPEATS = 5
 
 
-def measure() -> Iterator[Figure]:
+def measure() -> Iterator[Measurement]:
     """Yield the median of several runs of each, after one that does not count.
 
     :raises RuntimeError: one ended in another way than it should.
@@ -19,7 +19,7 @@ def measure() -> Iterator[Figure]:
     for arguments in (('--help',), ('check', '3')):
         _seconds(*arguments)
         seconds = statistics.median(_seconds(*arguments) for _ in range(REPEATS))
-        yield Figure(f'./course {" ".join(arguments)}', seconds, 's')
+        yield Measurement(f'./course {" ".join(arguments)}', seconds, 's')
 
 
 def _seconds(*arguments: str) -> float:

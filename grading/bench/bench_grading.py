@@ -21,7 +21,7 @@ import psutil
 from grading import grading_run, reference, sandbox, variants
 from grading.authoring import chapter as chapters
 from grading.authoring import notebook_pair as authored
-from grading.bench import Figure, timed_sheet
+from grading.bench import Measurement, timed_sheet
 from grading.course import Course
 from grading.sandbox import station
 from grading.submission import Submission
@@ -44,7 +44,7 @@ _TESTS = {
 }
 
 
-def measure() -> Iterator[Figure]:
+def measure() -> Iterator[Measurement]:
     """Yield wall time and peak memory of runs of grade, the split of one session's time, and times of other graders.
 
     :raises RuntimeError: the sandbox does not work here, or a mark is not full.
@@ -56,9 +56,9 @@ def measure() -> Iterator[Figure]:
         for count in COUNTS:
             seconds, memory = _run(course, count, Path(folder, str(count)))
             many = f'{count} submissions, {JOBS} at a time' if count > 1 else '1 submission'
-            yield Figure(f'{many}: per submission', seconds / count, 's')
-            yield Figure(f'{many}: per exercise', seconds / count / len(timed_sheet.NAMES), 's')
-            yield Figure(f'{many}: peak memory', memory / 2**20, 'MiB')
+            yield Measurement(f'{many}: per submission', seconds / count, 's')
+            yield Measurement(f'{many}: per exercise', seconds / count / len(timed_sheet.NAMES), 's')
+            yield Measurement(f'{many}: peak memory', memory / 2**20, 'MiB')
         yield from _parts(course)
         yield from _whole(Path(folder, 'whole'))
     from grading.bench.peers import timing
@@ -66,7 +66,7 @@ def measure() -> Iterator[Figure]:
     for peer in timing.PEERS:
         ours = _program(COMPARED) / COMPARED
         theirs = timing.seconds(peer, COMPARED) / COMPARED
-        yield Figure(f'{COMPARED} submissions, one at a time: per submission', ours, 's', peer, theirs)
+        yield Measurement(f'{COMPARED} submissions, one at a time: per submission', ours, 's', peer, theirs)
 
 
 def _program(count: int) -> float:
@@ -133,7 +133,7 @@ def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[fl
     return seconds, peak.bytes
 
 
-def _whole(output: Path) -> Iterator[Figure]:
+def _whole(output: Path) -> Iterator[Measurement]:
     """The solutions of all chapters, graded alone with cold servers."""
     course = Course.here()
     work = Submission('learner', output, solved(course))
@@ -142,7 +142,7 @@ def _whole(output: Path) -> Iterator[Figure]:
     records = grading_run.grade([work], course, output, JOBS)
     seconds = time.perf_counter() - begin
     _verify(record.score == record.points for record in records)
-    yield Figure(f'all {len(course.exercises)} exercises, 1 submission, {JOBS} at a time', seconds, 's')
+    yield Measurement(f'all {len(course.exercises)} exercises, 1 submission, {JOBS} at a time', seconds, 's')
 
 
 def solved(course: Course) -> dict[str, bytes]:
@@ -162,7 +162,7 @@ def solved(course: Course) -> dict[str, bytes]:
     return files
 
 
-def _parts(course: Course) -> Iterator[Figure]:
+def _parts(course: Course) -> Iterator[Measurement]:
     """Where the time of one session goes, best of five on warm servers."""
     cells: list[NotebookCell] = parse(_notebook(0), NOTEBOOK)
     options = session.Options(hidden=course.hidden, visible=course.visible, launcher=sandbox.launcher(course.sandbox))
@@ -179,12 +179,12 @@ def _parts(course: Course) -> Iterator[Figure]:
         if best is None or seconds < best[0]:
             best = seconds, report.spent
     seconds, spent = best
-    yield Figure('once per run: start and import of both servers', cold - seconds, 's')
-    yield Figure('one session, warm: all', seconds, 's')
-    yield Figure('  start: two sandboxes, processes', seconds - spent['pytest'], 's')
-    yield Figure('  load: programs into processes', spent['load'], 's')
-    yield Figure('  discovery', spent['discovery'], 's')
-    yield Figure('  tests: all else', spent['pytest'] - spent['load'] - spent['discovery'], 's')
+    yield Measurement('once per run: start and import of both servers', cold - seconds, 's')
+    yield Measurement('one session, warm: all', seconds, 's')
+    yield Measurement('  start: two sandboxes, processes', seconds - spent['pytest'], 's')
+    yield Measurement('  load: programs into processes', spent['load'], 's')
+    yield Measurement('  discovery', spent['discovery'], 's')
+    yield Measurement('  tests: all else', spent['pytest'] - spent['load'] - spent['discovery'], 's')
 
 
 def _verify(marks) -> None:

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from grading.bench import Figure
+from grading.bench import Measurement
 
 ROUNDS = 15  # of each, in turn: what disturbs one disturbs the other
 SECONDS = 0.4
@@ -15,7 +15,7 @@ _BURST = 8  # messages, for the rate; fewer than the queue is deep, so that none
 _PEER = 'plain rclpy'
 
 
-def measure() -> Iterator[Figure]:
+def measure() -> Iterator[Measurement]:
     """Yield latency and rate with `helpers.spinning`, beside an executor in a thread.
 
     :raises RuntimeError: a message did not come.
@@ -33,9 +33,9 @@ def measure() -> Iterator[Figure]:
     finally:
         ros.stop()
     ours, theirs = ([1e6 * seconds for seconds in latencies[way]] for way in ways)
-    yield Figure('latency, median', statistics.median(ours), 'us', _PEER, statistics.median(theirs))
-    yield Figure('latency, 99 %', _worst(ours), 'us', _PEER, _worst(theirs))
-    yield Figure(
+    yield Measurement('latency, median', statistics.median(ours), 'us', _PEER, statistics.median(theirs))
+    yield Measurement('latency, 99 %', _worst(ours), 'us', _PEER, _worst(theirs))
+    yield Measurement(
         'messages, median', statistics.median(rates[_with_helpers]), '1/s', _PEER, statistics.median(rates[_with_rclpy])
     )
 

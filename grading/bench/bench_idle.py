@@ -5,7 +5,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 
-from grading.bench import Figure
+from grading.bench import Measurement
 
 NODES = 5
 SECONDS = 5.0
@@ -40,7 +40,7 @@ os._exit(0)
 """
 
 
-def measure() -> Iterator[Figure]:
+def measure() -> Iterator[Measurement]:
     """Yield the medians of several processes of each kind, taken in turn."""
     cores: dict[str, list[float]] = {_WITH_HELPERS: [], _WITH_RCLPY: []}
     for number in range(ROUNDS):
@@ -54,4 +54,4 @@ def measure() -> Iterator[Figure]:
             )
             found.append(float(done.stdout.split()[-1]))
     ours, theirs = (1e3 * statistics.median(found) for found in cores.values())
-    yield Figure(f'{NODES} idle nodes', ours, '1/1000 core', 'plain rclpy', theirs)
+    yield Measurement(f'{NODES} idle nodes', ours, '1/1000 core', 'plain rclpy', theirs)

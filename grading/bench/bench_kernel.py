@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from grading.bench import Figure
+from grading.bench import Measurement
 from helpers.tests.real_kernel import Kernel
 
 STARTS = 5
@@ -48,7 +48,7 @@ print('heard', flush=True)
 )
 
 
-def measure() -> Iterator[Figure]:
+def measure() -> Iterator[Measurement]:
     """Yield the medians of several fresh kernels and programs, taken in turn.
 
     To make a kernel ready is Jupyter's part, which a program does not have; the cell then does what the program does.
@@ -64,10 +64,10 @@ def measure() -> Iterator[Figure]:
         plain.append(_program())
     cell = [end - begin for begin, end in zip(ready, whole, strict=True)]
     program = statistics.median(plain)
-    yield Figure('kernel ready', statistics.median(ready), 's')
-    yield Figure('ready kernel to first message', statistics.median(cell), 's', _PEER, program)
-    yield Figure('start to first message', statistics.median(whole), 's', _PEER, program)
-    yield Figure('start to first message, worst', max(whole), 's', _PEER, max(plain))
+    yield Measurement('kernel ready', statistics.median(ready), 's')
+    yield Measurement('ready kernel to first message', statistics.median(cell), 's', _PEER, program)
+    yield Measurement('start to first message', statistics.median(whole), 's', _PEER, program)
+    yield Measurement('start to first message, worst', max(whole), 's', _PEER, max(plain))
 
 
 def _kernel() -> tuple[float, float]:

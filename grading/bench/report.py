@@ -5,15 +5,15 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from grading.bench import Figure, machine_facts
+from grading.bench import Measurement, machine_facts
 
 
 @dataclass
-class Part:
+class Benchmark:
     """One benchmark: its figures, how long it took (s), and why it failed, if it did."""
 
     name: str
-    figures: list[Figure] = field(default_factory=list)
+    figures: list[Measurement] = field(default_factory=list)
     seconds: float = 0.0
     error: str = ''
 
@@ -22,7 +22,7 @@ class Part:
 class Report:
     """A run: its parts in their order, the facts of the machine, and its load when the run began."""
 
-    parts: list[Part] = field(default_factory=list)
+    parts: list[Benchmark] = field(default_factory=list)
     facts: dict[str, object] = field(default_factory=machine_facts.facts)
     load: float = field(default_factory=machine_facts.load)
     begin: str = field(default_factory=lambda: _now())
@@ -84,7 +84,7 @@ class Report:
         return table
 
 
-def cells(figure: Figure) -> tuple[str, str, str, str, str]:
+def cells(figure: Measurement) -> tuple[str, str, str, str, str]:
     """Return value, unit, reference, its value, and the ratio of a figure, as text."""
     if figure.ratio is None:
         return number(figure.value), figure.unit, '', '', ''
@@ -98,7 +98,7 @@ def number(value: float) -> str:
     return f'{value:.4g}'
 
 
-def _as_dict(name: str, figure: Figure) -> dict[str, object]:
+def _as_dict(name: str, figure: Measurement) -> dict[str, object]:
     found = {'benchmark': name, 'what': figure.what, 'value': figure.value, 'unit': figure.unit}
     if figure.ratio is not None:
         found |= {'reference': figure.reference, 'reference_value': figure.reference_value, 'ratio': figure.ratio}

@@ -56,9 +56,9 @@ def bench(
 def _measure(report, name: str, path: Path, place: str) -> None:
     """Add one benchmark to the report, and tell of each figure when it is there."""
     from grading import bench as benchmarks
-    from grading.bench.report import Part, cells
+    from grading.bench.report import Benchmark, cells
 
-    part = Part(name)
+    part = Benchmark(name)
     report.parts.append(part)
     begin = time.perf_counter()
     try:

@@ -39,7 +39,7 @@ def build(
     from grading.authoring.chapter import sources
     from grading.authoring.chapter_errors import ChapterErrors
 
-    tree = builder.Tree(paths.ROOT)
+    tree = builder.CourseFolders(paths.ROOT)
     known = {int(path.name[:2]) for path in sources(tree.solutions)}
     selected = {_number(text) for text in chapters or []}
     if selected - known:

@@ -76,8 +76,7 @@ def grade(
     skipped: list[Path] = []
     try:
         found = find(submissions, skipped)
-        if sandbox not in sandboxes.LAUNCHERS:
-            raise Refusal(f'there is no sandbox {sandbox!r}; there are: {", ".join(sandboxes.LAUNCHERS)}')
+        _refuse_unknown(sandbox)
         chapters = folder.Folder(output).chapters(chapter or ())
         course = replace(grader.Course.here(), sandbox=sandbox).part(chapters)
         if not cluster and (problem := sandboxes.problem(sandbox)):
@@ -96,7 +95,7 @@ def grade(
         with console.status('Compiling Python modules'):
             bytecode.store()
             bytecode.store_installed()
-        with grading_progress.Shown(console) as shown:
+        with grading_progress.ShownProgress(console) as shown:
             records = grader.grade(found, course, output, jobs, shown, settings)
     except refused as error:
         raise Refusal(str(error)) from None
@@ -108,6 +107,11 @@ def grade(
         os._exit(130)  # without waiting for a submission that is being read
     console.print(f'{output / "gradebook.csv"}: {len(records)} learners', markup=False)
     raise typer.Exit(_summary(records, console))
+
+
+def _refuse_unknown(sandbox: str) -> None:
+    if sandbox not in sandboxes.LAUNCHERS:
+        raise Refusal(f'there is no sandbox {sandbox!r}; there are: {", ".join(sandboxes.LAUNCHERS)}')
 
 
 def _refused() -> tuple[type[Exception], ...]:

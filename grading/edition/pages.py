@@ -45,7 +45,7 @@ class Entry:
 
 
 def write(
-    tree: builder.Tree,
+    tree: builder.CourseFolders,
     output: Path,
     say: Callable[[str], None] = print,
     scenes: bool = True,
@@ -137,7 +137,7 @@ def _has_views(chapter: Chapter) -> bool:
 
 
 def _recorded(
-    tree: builder.Tree, chapter: Chapter, folder: Path, timeout: float, say: Callable[[str], None]
+    tree: builder.CourseFolders, chapter: Chapter, folder: Path, timeout: float, say: Callable[[str], None]
 ) -> nbformat.NotebookNode:
     """Execute a chapter; what its views show goes to `folder`."""
     say(f'{chapter.name}: executing, for its 3-D scenes')
@@ -167,6 +167,6 @@ def _page(notebook: nbformat.NotebookNode, title: str, around: dict) -> str:
     return text
 
 
-def _entry(tree: builder.Tree, chapter: Chapter) -> Entry:
+def _entry(tree: builder.CourseFolders, chapter: Chapter) -> Entry:
     said = start_page.introduction(tree.learner(chapter))
     return Entry(f'{chapter.name}.html', said.title, said.thesis, said.time, len(list(chapter.exercises())))

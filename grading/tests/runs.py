@@ -99,7 +99,7 @@ def main(folder: Path) -> None:
         killed = _killed(output, moment, before=moment % 2 == 0)
         there = {path.stem for path in (output / 'results').glob('[a-z]*.json')}
         fresh = []
-        listener = grading_run.Listener()
+        listener = grading_run.RunListener()
         listener.finished = lambda record, new, changes, fresh=fresh: new and fresh.append(record.learner)
         grading_run.grade(works(), COURSE, output, 2, listener, SETTINGS)
         assert sorted(fresh) == sorted(set(LEARNERS) - there), (moment, fresh, there)

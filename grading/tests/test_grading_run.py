@@ -37,7 +37,7 @@ WORKS = {
 }
 
 
-class Heard(grading_run.Listener):
+class Heard(grading_run.RunListener):
     """What a run tells."""
 
     def __init__(self):
@@ -168,7 +168,7 @@ from pathlib import Path
 from grading import grading_run, submissions
 from helpers.tests import small
 
-class Told(grading_run.Listener):
+class Told(grading_run.RunListener):
     def tested(self, learner, test):
         print('tested', flush=True)
 

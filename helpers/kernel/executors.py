@@ -54,7 +54,7 @@ class StopSignal:
         pass
 
 
-class Watch:
+class ExecutorWatch:
     """Watches one executor, and makes sure that only the thread ``spinner`` spins it.
 
     :param on_failure: called with a `Failure` in the thread in which a callback has raised.
@@ -113,7 +113,7 @@ class Watch:
 class Work:
     """Stands for the task that rclpy hands out: runs it, and reports what it raises instead of passing it on."""
 
-    def __init__(self, watch: Watch, task, entity, node):
+    def __init__(self, watch: ExecutorWatch, task, entity, node):
         self.watch = watch
         self.task = task
         self.entity = entity

@@ -7,7 +7,7 @@ import time
 
 from helpers.kernel import nodes as node_list
 from helpers.kernel.callback_errors import Failure, raise_failures, say
-from helpers.kernel.executors import StopCallback, StopSignal, Watch, activity, running_here
+from helpers.kernel.executors import ExecutorWatch, StopCallback, StopSignal, activity, running_here
 from helpers.kernel.handles import add, handles, remove
 
 _JOIN_SLICE = 0.1  # s; a join without timeout could not be interrupted
@@ -63,7 +63,7 @@ class Spinning:
     def __init__(self, nodes, executor):
         self._nodes = list(dict.fromkeys(nodes))
         self._executor = executor
-        self._watch = Watch(executor, self._note)
+        self._watch = ExecutorWatch(executor, self._note)
         self._failures: list[Failure] = []  # shown, but not raised yet
         self._signal = StopSignal()
         self._thread: threading.Thread | None = None

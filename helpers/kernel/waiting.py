@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from helpers.kernel import conditions
 from helpers.kernel import nodes as node_list
 from helpers.kernel.callback_errors import Failure, raise_failures
-from helpers.kernel.executors import StopSignal, Watch, activity, refuse_in_callback
+from helpers.kernel.executors import ExecutorWatch, StopSignal, activity, refuse_in_callback
 from helpers.kernel.handles import handles, is_spinning, raise_pending
 
 _SLICE = 0.05  # s; the longest time between two looks at the condition, and to answer the stop button
@@ -126,7 +126,7 @@ def _spin_here(nodes, condition, deadline: float):
     own = context is not get_default_context()
     executor = SingleThreadedExecutor(context=context) if own else rclpy.get_global_executor()
     failures: list[Failure] = []
-    watch = Watch(executor, failures.append)
+    watch = ExecutorWatch(executor, failures.append)
     watch.spinner = threading.get_ident()
     try:
         with _interrupts_deferred() as raise_interrupt:

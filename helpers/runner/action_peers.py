@@ -1,7 +1,7 @@
 """Actions between a test and the learner's program, in lock-step with simulated time.
 
-`Client` sends goals to the learner's action server, and sees all that it says on the wire; `Server` is an action server
-that follows a test's plan, for a client of the learner's.
+`ActionClientPeer` sends goals to the learner's action server, and sees all that it says on the wire;
+`ActionServerPeer` is an action server that follows a test's plan, for a client of the learner's.
 """
 
 import time
@@ -64,7 +64,7 @@ class Goal:
 
     request: object
     sent: float
-    client: 'Client' = field(repr=False)
+    client: 'ActionClientPeer' = field(repr=False)
     id: UUID = field(repr=False)
     answered: float | None = None
     accepted: bool | None = None  # None: not answered yet
@@ -111,7 +111,7 @@ class Goal:
         return self.client.ask_again(self)
 
 
-class Client(Named):
+class ActionClientPeer(Named):
     """A client of the test's for an action of the learner's; made by `learner.action_client`."""
 
     kind, preposition = 'action server', 'for'
@@ -263,7 +263,7 @@ class Client(Named):
 
 
 @dataclass
-class Served:
+class ServedGoal:
     """One goal that has reached the test's server. Times are simulated seconds."""
 
     request: object
@@ -290,7 +290,7 @@ class Canceled(Aborted):
     end = 'canceled'
 
 
-class Server(Named):
+class ActionServerPeer(Named):
     """An action server of the test's for a client of the learner's; made by `learner.action_server`.
 
     `late` may name seconds of simulated time by which it accepts ('goal') or answers cancel requests ('cancel') late.
@@ -313,7 +313,7 @@ class Server(Named):
         super().__init__(learner, name, type_name(action_type), strict)
         self.action_type, self.plan, self.accept = action_type, plan, accept
         self.cancel, self.cancel_delay, self.partial = cancel, cancel_delay, partial
-        self.goals: list[Served] = []
+        self.goals: list[ServedGoal] = []
         self.cancel_stamps: list[float] = []  # of all cancel requests, also those for goals that have ended
         self.late: dict[str, float] = {}  # seconds until a request of this kind ('goal', 'cancel') is looked at
         self._held: list[tuple[int, dict]] = []  # due (ns), the request as rclpy gives it
@@ -345,7 +345,7 @@ class Server(Named):
     def asked(self, request) -> GoalResponse:
         """A goal has come."""
         accepted = self.accept(request) if callable(self.accept) else self.accept
-        served = Served(request, self.learner.now / SECOND)
+        served = ServedGoal(request, self.learner.now / SECOND)
         self.goals.append(served)
         if not accepted:
             served.status, served.finished = 'rejected', served.arrived
@@ -406,7 +406,7 @@ class Server(Named):
             self.learner.receive()  # results go out through the executor
             self.said = False
 
-    def _do(self, served: Served, message) -> None:
+    def _do(self, served: ServedGoal, message) -> None:
         assert served.handle is not None and self._server is not None  # only then has a goal a plan
         if isinstance(message, self.action_type.Feedback):
             served.handle.publish_feedback(message)
@@ -429,7 +429,7 @@ class Server(Named):
 class _PlannedServer(ActionServer):
     """An action server whose goals stay in execution until the plan ends them."""
 
-    def __init__(self, server: Server):
+    def __init__(self, server: ActionServerPeer):
         self.server = server
         super().__init__(
             server.learner.node,

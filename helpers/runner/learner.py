@@ -24,7 +24,7 @@ from helpers.runner import action_peers, service_peers, spent, values, wiring
 from helpers.runner import silent_endpoints as silent
 from helpers.runner.arguments import Changed
 from helpers.runner.fork_client import ForkServer
-from helpers.runner.own_endpoints import Recording, Talker
+from helpers.runner.own_endpoints import Received, Talker
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.program_process import ProgramProcess
 from helpers.runner.started_nodes import StartedNodes
@@ -77,7 +77,7 @@ class Learner(Workspaces):
         self._stepped: set[str] = set()  # keys of processes that have a conductor
         self._calls: ProgramProcess | None = None
         self._numbers = itertools.count(1)
-        self._recordings: list[Recording] = []
+        self._recordings: list[Received] = []
         self._participant = b''  # of the test's node
         self._participants: set[bytes] = set()  # of all programs that belong to the test
         self._talkers: list[Talker] = []
@@ -234,9 +234,9 @@ class Learner(Workspaces):
 
     # The test's own endpoints
 
-    def listen(self, topic: str, msg_type, qos: QoSProfile | int = 10, *, strict: bool = True) -> Recording:
+    def listen(self, topic: str, msg_type, qos: QoSProfile | int = 10, *, strict: bool = True) -> Received:
         """Record `topic`. `strict`: a learner's publisher of another type or incompatible QoS fails the test."""
-        recording = Recording(topic, strict=strict)
+        recording = Received(topic, strict=strict)
         recording.subscription = self.node.create_subscription(
             msg_type,
             topic,
@@ -251,7 +251,7 @@ class Learner(Workspaces):
         self._connected = False
         return recording
 
-    def late_listener(self, topic: str, msg_type, qos: QoSProfile | int | None = None) -> Recording:
+    def late_listener(self, topic: str, msg_type, qos: QoSProfile | int | None = None) -> Received:
         """A subscription that joins now and gets what is latched (default QoS: TRANSIENT_LOCAL, depth 10)."""
         qos = qos or QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         recording = self.listen(topic, msg_type, qos)
@@ -266,22 +266,22 @@ class Learner(Workspaces):
         self._connected = False
         return talker
 
-    def client(self, name: str, srv_type, *, strict: bool = True) -> service_peers.Client:
+    def client(self, name: str, srv_type, *, strict: bool = True) -> service_peers.ClientPeer:
         """A client for the learner's service `name`: `call` and `send`. `strict`: another type there fails the test."""
-        return self.add(service_peers.Client(self, name, srv_type, strict))
+        return self.add(service_peers.ClientPeer(self, name, srv_type, strict))
 
-    def serve(self, name: str, srv_type, answer, delay=0.0, *, strict: bool = True) -> service_peers.Server:
+    def serve(self, name: str, srv_type, answer, delay=0.0, *, strict: bool = True) -> service_peers.ServicePeer:
         """A server for the learner's client of `name`: `requests`, `stamps`, `stop()`, `start()`.
 
         `answer`: a response, a dictionary of its fields, None (silence), a function of the request that gives one of
         these, or an iterator with one of these for each request. `delay`: seconds of simulated time until an answer
         goes out; a number, or a function of the request. `strict` as in `client`.
         """
-        return self.add(service_peers.Server(self, name, srv_type, answer, delay, strict))
+        return self.add(service_peers.ServicePeer(self, name, srv_type, answer, delay, strict))
 
-    def action_client(self, name: str, action_type, *, strict: bool = True) -> action_peers.Client:
+    def action_client(self, name: str, action_type, *, strict: bool = True) -> action_peers.ActionClientPeer:
         """A client for the learner's action `name`: `send` gives a goal with its feedback, status, result, `cancel`."""
-        return self.add(action_peers.Client(self, name, action_type, strict))
+        return self.add(action_peers.ActionClientPeer(self, name, action_type, strict))
 
     def action_server(
         self,
@@ -294,7 +294,7 @@ class Learner(Workspaces):
         cancel_delay: float = 0.0,
         partial=None,
         strict: bool = True,
-    ) -> action_peers.Server:
+    ) -> action_peers.ActionServerPeer:
         """An action server for the learner's client of `name`: `goals`, `stop()`, `start()`.
 
         `plan`: pairs (seconds of simulated time after the one before, Feedback or Result or `actions.Aborted`), or a
@@ -303,7 +303,7 @@ class Learner(Workspaces):
         `partial`), 'reject', or 'ignore' (accept, and go on as planned). All may be changed at any time.
         """
         return self.add(
-            action_peers.Server(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict)
+            action_peers.ActionServerPeer(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict)
         )
 
     def tf_broadcaster(self) -> 'frames.Broadcaster':
@@ -472,7 +472,7 @@ class Learner(Workspaces):
     def _on_done(self, message: UInt64) -> None:
         self._done[message.data] = self._done.get(message.data, 0) + 1
 
-    def _record(self, recording: Recording, message, info: dict) -> None:
+    def _record(self, recording: Received, message, info: dict) -> None:
         moment, count = self._heard
         count = count + 1 if moment == self.now else 1
         self._heard = (self.now, count)
@@ -488,7 +488,7 @@ class Learner(Workspaces):
         recording.numbers.append(info['publication_sequence_number'])
         recording.published.append(info['source_timestamp'])
 
-    def _matched(self, recording: Recording, event) -> None:
+    def _matched(self, recording: Received, event) -> None:
         recording.matched = max(recording.matched, event.total_count)
         recording.gone = event.total_count - event.current_count
 

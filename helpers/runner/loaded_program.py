@@ -18,7 +18,7 @@ from typing import Any
 
 from rclpy.node import Node
 
-from helpers.runner.mistakes import WaitsInCallback, Watch
+from helpers.runner.mistakes import MistakeWatch, WaitsInCallback
 from helpers.runner.rclpy_changes import on_trial
 
 
@@ -74,7 +74,7 @@ class LoadedProgram:
     def __init__(self) -> None:
         self.module = types.ModuleType('notebook')
         self.notes: list[tuple[str, str]] = []  # cells that could not be run: their text, and what happened
-        self.watch: Watch | None = None
+        self.watch: MistakeWatch | None = None
         self.labels: dict[str, str] = {}
         # In notebooks these are there without an import.
         vars(self.module).update(display=lambda *objects, **options: None, get_ipython=_shell)

@@ -53,7 +53,7 @@ _POLLING = (Client.wait_for_service.__code__, ActionClient.wait_for_server.__cod
 _LOOKS = 50
 
 
-class Watch:
+class MistakeWatch:
     """What the checks ask, and what they have seen."""
 
     def __init__(
@@ -150,7 +150,7 @@ class Watch:
             self.remarks.append(sentence)
 
 
-def watch(seen: Watch) -> None:
+def watch(seen: MistakeWatch) -> None:
     """Put the checks around rclpy's functions, in this process."""
     for method in ('create_timer', 'create_subscription', 'create_service', 'create_publisher', 'create_client'):
         setattr(Node, method, _checked(getattr(Node, method), seen))
@@ -191,7 +191,7 @@ def watch(seen: Watch) -> None:
     _watch_actions(seen)
 
 
-def _checked(method, seen: Watch):
+def _checked(method, seen: MistakeWatch):
     """A method that makes an endpoint or registers a callback, with an error of its own for wrong arguments.
 
     Only for calls from the learner's cells: rclpy itself makes timers without a callback.
@@ -237,7 +237,7 @@ def _no_function(where: str, given) -> str:
     return f'the callback given to {where} is an object of type {type(given).__name__}, not a function'
 
 
-def _no_wait(function, name: str, seen: Watch, unless: Callable[[], bool] = lambda: False):
+def _no_wait(function, name: str, seen: MistakeWatch, unless: Callable[[], bool] = lambda: False):
     """A function that waits, refused in a callback, where nothing can come while it waits; elsewhere it is counted."""
     clock = time.monotonic  # itself: a look of ours is none of the learner's
 
@@ -272,7 +272,7 @@ def _with_function(add_done_callback):
     return checked
 
 
-def _asked_early(result, seen: Watch):
+def _asked_early(result, seen: MistakeWatch):
     """`Future.result`, which gives None as long as there is no answer."""
 
     @functools.wraps(result)
@@ -286,7 +286,7 @@ def _asked_early(result, seen: Watch):
     return asked
 
 
-def _timed(log, seen: Watch):
+def _timed(log, seen: MistakeWatch):
     """`RcutilsLogger.log`, whose processor time is none of the callback's."""
 
     @functools.wraps(log)
@@ -300,7 +300,7 @@ def _timed(log, seen: Watch):
     return logging
 
 
-def _counted(sleep, seen: Watch):
+def _counted(sleep, seen: MistakeWatch):
     """`time.sleep` that adds up how long the learner's lines sleep, themselves or while they wait for a server.
 
     The count is the same on a busy machine.
@@ -317,7 +317,7 @@ def _counted(sleep, seen: Watch):
     return sleeping
 
 
-def _looked_at(clock, unit: float, seen: Watch):
+def _looked_at(clock, unit: float, seen: MistakeWatch):
     """A clock of Python's that notes which of the learner's lines ask it; `unit`: seconds in 1."""
 
     @functools.wraps(clock)
@@ -329,7 +329,7 @@ def _looked_at(clock, unit: float, seen: Watch):
     return asked
 
 
-def _waited(wait, seen: Watch):
+def _waited(wait, seen: MistakeWatch):
     """`Condition.wait`, and so Event.wait and Queue.get, that adds up for how long the learner's callbacks wait there.
 
     Where callbacks run in threads they may.
@@ -347,7 +347,7 @@ def _waited(wait, seen: Watch):
     return waiting
 
 
-def _watch_nodes(seen: Watch) -> None:
+def _watch_nodes(seen: MistakeWatch) -> None:
     """Remember which namespace each node is given where it is made; refuse a class that could never be a node."""
     create = Node.__init__
     signature = inspect.signature(create)
@@ -376,7 +376,7 @@ def _check_names(kind: type) -> None:
                 raise AttributeError(f'class {each.__name__!r} hides the property {name!r} of Node')
 
 
-def _watch_actions(seen: Watch) -> None:
+def _watch_actions(seen: MistakeWatch) -> None:
     """Remember what makes rclpy reject: a goal or cancel callback without a right answer, or no cancel callback."""
     create = ActionServer.__init__
     answers = {'goal_callback': GoalResponse, 'cancel_callback': CancelResponse}
@@ -424,7 +424,7 @@ def _type_first(what: str, given: dict) -> None:
         raise TypeError(f'the type comes first, then the name: {what}(self, {name.__name__}, {kind!r}, …)')
 
 
-def _refusing(seen: Watch):
+def _refusing(seen: MistakeWatch):
     """What an action server does that has no cancel callback, and why."""
 
     def refuse(request):
@@ -437,7 +437,7 @@ def _refusing(seen: Watch):
     return refuse
 
 
-def _answering(callback, name: str, kind, seen: Watch):
+def _answering(callback, name: str, kind, seen: MistakeWatch):
     def judged(answer):
         if not isinstance(answer, kind):
             seen.remark(

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 @dataclass
-class Recording:
+class Received:
     """What a subscription of the test's has received: `messages`, and `stamps` (simulated seconds of receipt).
 
     `numbers` are those that the publishers gave the messages, from 1: who comes late to a latched topic hears the last

@@ -1,6 +1,6 @@
 """Services between a test and the learner's program, in lock-step with simulated time.
 
-`Client` calls the learner's service; `Server` answers the learner's client as a test's script wants it.
+`ClientPeer` calls the learner's service; `ServicePeer` answers the learner's client as a test's script wants it.
 """
 
 import itertools
@@ -29,7 +29,7 @@ class Call:
         return self.received is not None
 
 
-class Client(Named):
+class ClientPeer(Named):
     """A client of the test's for a service of the learner's; made by `learner.client`."""
 
     kind, preposition = 'service', 'on'
@@ -82,7 +82,7 @@ class Client(Named):
         self.learner.node.destroy_client(self._client)
 
 
-class Server(Named):
+class ServicePeer(Named):
     """A server of the test's for a client of the learner's; made by `learner.serve`.
 
     `requests` and `stamps` (simulated seconds) record what came; `answer` and `delay` may be changed at any time.

@@ -13,7 +13,7 @@ import rclpy
 from rclpy.exceptions import ROSInterruptException
 from rclpy.timer import Rate
 
-from helpers.runner.mistakes import Watch
+from helpers.runner.mistakes import MistakeWatch
 
 LONGEST = 0.5  # seconds of wall time for which a thread is waited for: it may do something else than sleep on a rate
 
@@ -58,7 +58,7 @@ class Sleepers:
             time.sleep(0.001)  # a bounded poll: the end of a thread notifies nobody
 
 
-def watch(sleepers: Sleepers, seen: Watch) -> None:
+def watch(sleepers: Sleepers, seen: MistakeWatch) -> None:
     """Tell `sleepers` of the threads that lines of the learner's start, and of what they do with rates."""
     start, create, sleep = threading.Thread.start, Rate.__init__, Rate.sleep
 

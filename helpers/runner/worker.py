@@ -36,7 +36,7 @@ from helpers.runner.arguments import Arguments
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.conductor import Conductor
 from helpers.runner.loaded_program import LoadedProgram, RequestError
-from helpers.runner.mistakes import CONSTRUCTOR_WORK, Watch, watch
+from helpers.runner.mistakes import CONSTRUCTOR_WORK, MistakeWatch, watch
 from helpers.runner.rclpy_changes import Outgoing, SimulatedTimeSource, arguments_of_nodes, for_other_contexts
 from helpers.runner.threads import ThreadPool, patch_locks
 
@@ -119,7 +119,7 @@ class Worker:
         for function in (rclpy.init, rclpy.shutdown, rclpy.try_shutdown):
             setattr(rclpy, function.__name__, for_other_contexts(function))
         program = self.program = LoadedProgram()
-        program.watch = Watch(
+        program.watch = MistakeWatch(
             self._in_callback,
             lambda: bool(self.conductor and self.conductor.pool),
             lambda frame: frame.f_code.co_filename in program.labels,

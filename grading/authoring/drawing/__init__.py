@@ -20,7 +20,7 @@ code and ``**now**`` bold; `NOTE` is the size of what explains. `faults.found` s
 
 from grading.authoring.drawing.parts import Lanes, Plot, queue, stack
 from grading.authoring.drawing.sheet import Sheet
-from grading.authoring.drawing.sheet_geometry import Box
+from grading.authoring.drawing.sheet_geometry import Rectangle
 from grading.authoring.drawing.style import NOTE
 
-__all__ = ['NOTE', 'Box', 'Lanes', 'Plot', 'Sheet', 'queue', 'stack']
+__all__ = ['NOTE', 'Lanes', 'Plot', 'Rectangle', 'Sheet', 'queue', 'stack']

@@ -5,7 +5,7 @@ from itertools import combinations
 
 from grading.authoring.drawing import style
 from grading.authoring.drawing.sheet import Sheet
-from grading.authoring.drawing.sheet_geometry import Box, Point, Text
+from grading.authoring.drawing.sheet_geometry import Point, Rectangle, TextBlock
 
 MARGIN = 6  # between texts and the sheet's border
 PADDING = 3  # between texts and the borders of boxes, to the sides
@@ -45,7 +45,7 @@ def _found(sheet: Sheet) -> Iterator[str]:
             yield f'{one.text!r} and {other.text!r} overlap'
 
 
-def _overlap(one: Text, other: Text) -> bool:
+def _overlap(one: TextBlock, other: TextBlock) -> bool:
     return (
         one.left < other.right
         and other.left < one.right
@@ -54,7 +54,7 @@ def _overlap(one: Text, other: Text) -> bool:
     )
 
 
-def _on_border(text: Text, box: Box) -> bool:
+def _on_border(text: TextBlock, box: Rectangle) -> bool:
     right, bottom = box.x + box.w, box.y + box.h
     top_of_text, bottom_of_text = text.top + SLACK, text.bottom - SLACK
     apart = text.right < box.x or text.left > right or bottom_of_text < box.y or top_of_text > bottom
@@ -64,15 +64,15 @@ def _on_border(text: Text, box: Box) -> bool:
     return not apart and not inside
 
 
-def _covers(item: object, text: Text) -> bool:
+def _covers(item: object, text: TextBlock) -> bool:
     """Whether it is a box with the text inside, which hides the lines that were drawn before."""
-    if not isinstance(item, Box):
+    if not isinstance(item, Rectangle):
         return False
     inside_x = item.x <= text.left and text.right <= item.x + item.w
     return inside_x and item.y <= text.top + SLACK and text.bottom - SLACK <= item.y + item.h
 
 
-def _crossed(text: Text, a: Point, b: Point) -> bool:
+def _crossed(text: TextBlock, a: Point, b: Point) -> bool:
     """Whether a straight piece of a line enters the text's room (Liang and Barsky's clipping)."""
     begin, end = 0.0, 1.0
     dx, dy = b[0] - a[0], b[1] - a[1]
@@ -92,7 +92,7 @@ def _crossed(text: Text, a: Point, b: Point) -> bool:
     return begin < end
 
 
-def _extent(text: Text) -> str:
+def _extent(text: TextBlock) -> str:
     return f'{text.left:.0f}..{text.right:.0f} by {text.top:.0f}..{text.bottom:.0f}'
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from grading.authoring.drawing import style
 from grading.authoring.drawing.sheet import Sheet
-from grading.authoring.drawing.sheet_geometry import Box
+from grading.authoring.drawing.sheet_geometry import Rectangle
 
 
 def queue(
@@ -18,13 +18,13 @@ def queue(
     height: float = 34,
     colour: str = 'orange',
     size: float = style.NOTE,
-) -> Box:
+) -> Rectangle:
     """Draw a queue, a cell for each text; an empty text is a free place."""
     for number, text in enumerate(texts):
         sheet.box(
             x + number * cell, y, cell, height, text, colour=colour, round=0, dashed=not text, plain=not text, size=size
         )
-    return Box(x, y, cell * len(texts), height)
+    return Rectangle(x, y, cell * len(texts), height)
 
 
 def stack(
@@ -37,7 +37,7 @@ def stack(
     h: float = 44,
     gap: float = 6,
     heading: bool = False,
-) -> list[Box]:
+) -> list[Rectangle]:
     """Draw layers (text, colour) from top to bottom; as a `heading` the text leaves room below itself."""
     return [
         sheet.box(
@@ -80,7 +80,9 @@ class Lanes:
         """The point of a lane at a time."""
         return self.x(time), self.y + lane * self.step
 
-    def bar(self, lane: int, begin: float, end: float, text: str = '', *, colour: str = 'blue', dashed=False) -> Box:
+    def bar(
+        self, lane: int, begin: float, end: float, text: str = '', *, colour: str = 'blue', dashed=False
+    ) -> Rectangle:
         """Something that lasts, such as a callback."""
         x, y = self.at(lane, begin)
         return self.sheet.box(

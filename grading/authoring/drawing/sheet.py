@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from xml.sax.saxutils import escape, quoteattr
 
 from grading.authoring.drawing import metrics, style
-from grading.authoring.drawing.sheet_geometry import Box, Point, Text, along, shortened
+from grading.authoring.drawing.sheet_geometry import Point, Rectangle, TextBlock, along, shortened
 from helpers.show import dark_page
 
 WIDTH = 700
@@ -21,16 +21,18 @@ class Sheet:
     title: str
     height: float
     width: float = WIDTH
-    items: list[Text | Box | list[Point]] = field(default_factory=list)  # in the order in which they were drawn
+    items: list[TextBlock | Rectangle | list[Point]] = field(
+        default_factory=list
+    )  # in the order in which they were drawn
     _written: list[str] = field(default_factory=list)
 
     @property
-    def texts(self) -> list[Text]:
-        return [item for item in self.items if isinstance(item, Text)]
+    def texts(self) -> list[TextBlock]:
+        return [item for item in self.items if isinstance(item, TextBlock)]
 
     @property
-    def boxes(self) -> list[Box]:
-        return [item for item in self.items if isinstance(item, Box)]
+    def boxes(self) -> list[Rectangle]:
+        return [item for item in self.items if isinstance(item, Rectangle)]
 
     @property
     def lines(self) -> list[list[Point]]:
@@ -47,7 +49,7 @@ class Sheet:
         colour: str = 'ink',
         bold: bool = False,
         halo: bool = False,
-    ) -> Text:
+    ) -> TextBlock:
         """Write lines of text whose block has its middle at the height `y`.
 
         :param anchor: what `x` is, as SVG names it: 'start', 'middle' or 'end'.
@@ -67,7 +69,7 @@ class Sheet:
                 f'<text x="{_n(x)}" y="{_n(base)}" font-size="{_n(size)}" text-anchor="{anchor}" '
                 f'fill="{style.INK[colour]}"{around}>{_spans(line, bold)}</text>'
             )
-        block = Text(text, left, top, left + width, top + line_height * len(lines), size)
+        block = TextBlock(text, left, top, left + width, top + line_height * len(lines), size)
         self.items.append(block)
         return block
 
@@ -86,7 +88,7 @@ class Sheet:
         bold: bool = False,
         heading: str = '',
         plain: bool = False,
-    ) -> Box:
+    ) -> Rectangle:
         """Draw a box with a text in its middle, or with a heading at its top; `plain` leaves its ground white."""
         fill = style.FILL['ink' if plain else colour]
         dashes = ' stroke-dasharray="6 4"' if dashed else ''
@@ -94,7 +96,7 @@ class Sheet:
             f'<rect x="{_n(x)}" y="{_n(y)}" width="{_n(w)}" height="{_n(h)}" rx="{_n(round)}" fill="{fill}" '
             f'stroke="{style.INK[colour]}" stroke-width="1.5"{dashes}/>'
         )
-        box = Box(x, y, w, h)
+        box = Rectangle(x, y, w, h)
         self.items.append(box)
         if text:
             self.text(*box.centre, text, size=size, bold=bold)
@@ -114,8 +116,8 @@ class Sheet:
 
     def arrow(
         self,
-        start: Box | Point,
-        end: Box | Point,
+        start: Rectangle | Point,
+        end: Rectangle | Point,
         label: str = '',
         *,
         via: Sequence[Point] = (),
@@ -133,10 +135,10 @@ class Sheet:
         :param at: the place of the label, in parts of the arrow's length.
         :param both: a head at both ends.
         """
-        first = via[0] if via else end.centre if isinstance(end, Box) else end
-        last = via[-1] if via else start.centre if isinstance(start, Box) else start
-        begin = start.towards(first) if isinstance(start, Box) else start
-        stop = end.towards(last) if isinstance(end, Box) else end
+        first = via[0] if via else end.centre if isinstance(end, Rectangle) else end
+        last = via[-1] if via else start.centre if isinstance(start, Rectangle) else start
+        begin = start.towards(first) if isinstance(start, Rectangle) else start
+        stop = end.towards(last) if isinstance(end, Rectangle) else end
         points = [begin, *via, stop]
         shaft = shortened(points, HEAD / 2)
         if both:
@@ -182,14 +184,14 @@ class Sheet:
         away = GAP + abs(nx) * width / 2 + abs(ny) * height / 2
         self.text(x + nx * away, y + ny * away, label, size=size, colour=colour, halo=True)
 
-    def dot(self, x: float, y: float, *, radius: float = 5, colour: str = 'blue', hollow: bool = False) -> Box:
+    def dot(self, x: float, y: float, *, radius: float = 5, colour: str = 'blue', hollow: bool = False) -> Rectangle:
         """Draw a dot."""
         fill = style.GROUND if hollow else style.INK[colour]
         self._written.append(
             f'<circle cx="{_n(x)}" cy="{_n(y)}" r="{_n(radius)}" fill="{fill}" stroke="{style.INK[colour]}" '
             'stroke-width="1.6"/>'
         )
-        return Box(x - radius, y - radius, 2 * radius, 2 * radius)
+        return Rectangle(x - radius, y - radius, 2 * radius, 2 * radius)
 
     def cross(self, x: float, y: float, *, size: float = 6, colour: str = 'red') -> None:
         """Draw a cross: what does not happen, or is lost."""

@@ -8,7 +8,7 @@ Point = tuple[float, float]
 
 
 @dataclass(frozen=True)
-class Text:
+class TextBlock:
     """A block of text and the room that it takes."""
 
     text: str
@@ -20,7 +20,7 @@ class Text:
 
 
 @dataclass(frozen=True)
-class Box:
+class Rectangle:
     """A rectangle on the sheet."""
 
     x: float

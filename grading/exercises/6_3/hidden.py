@@ -2,16 +2,16 @@
 
 import pytest
 
-from helpers.checks.chapter_06.carrying import Scene, told
+from helpers.checks.chapter_06.carrying import CarriedCup, told
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('6.3')
 
 
-def scene(learner) -> Scene:
+def scene(learner) -> CarriedCup:
     """A robot that turns while it drives, and a cup that goes another way: no two places are the same."""
     draw = learner.random.uniform
-    return Scene(
+    return CarriedCup(
         learner,
         robot=[(draw(-1, 1), draw(-1, 1), draw(-3, 3)), (draw(0.5, 1), draw(0.5, 1), draw(0.3, 0.5))],
         cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))],

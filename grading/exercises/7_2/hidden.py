@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.faulty_packages import CAUSES, FORMS, Package, judge_rare_entries
+from helpers.checks.chapter_07.faulty_packages import CAUSES, FORMS, FaultyPackage, judge_rare_entries
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')
@@ -16,7 +16,7 @@ def test_healthy_package(learner):
     Two modules may have functions of other names than main.
     """
     for _ in range(3):
-        package = Package(learner.random)
+        package = FaultyPackage(learner.random)
         package.diagnose(learner)
         with about('kept'):
             package.check(learner.call('repair_package', package.files))
@@ -32,7 +32,7 @@ def test_one_program(learner, cause):
     """
     for form in range(FORMS):
         with about(cause):
-            Package(learner.random, cause, form=form).diagnose(learner)
+            FaultyPackage(learner.random, cause, form=form).diagnose(learner)
 
 
 @pytest.mark.rules('all', 'file', 'module', 'function')
@@ -42,8 +42,8 @@ def test_several_programs(learner):
     Do not return after the first one.
     """
     for _ in range(5):
-        Package(learner.random, *learner.random.choices(CAUSES, k=3)).diagnose(learner, 'all')
-    Package(learner.random, *learner.random.choices(CAUSES, k=5)).diagnose(learner, 'all')
+        FaultyPackage(learner.random, *learner.random.choices(CAUSES, k=3)).diagnose(learner, 'all')
+    FaultyPackage(learner.random, *learner.random.choices(CAUSES, k=5)).diagnose(learner, 'all')
     judge_rare_entries(learner)
 
 
@@ -56,12 +56,12 @@ def test_repaired_entry_points(learner):
     """
     for causes in (['file'], ['function'], ['module', 'module', 'module', 'module'], ['file', 'function', 'module']):
         for _ in range(5):
-            package = Package(learner.random, *causes, form=0 if len(causes) == 4 else None)
+            package = FaultyPackage(learner.random, *causes, form=0 if len(causes) == 4 else None)
             package.diagnose(learner, 'all')
             with about('repaired'):
                 package.check(learner.call('repair_package', package.files))
     for form in (1, 3):  # no right side is left that names the package
-        package = Package(learner.random, *['module'] * 5, form=form)
+        package = FaultyPackage(learner.random, *['module'] * 5, form=form)
         package.diagnose(learner, 'all')
         with about('repaired'):
             package.check(learner.call('repair_package', package.files))
@@ -74,6 +74,6 @@ def test_it_runs(learner):
 
     This is what the user sees.
     """
-    package = Package(learner.random, *CAUSES)
+    package = FaultyPackage(learner.random, *CAUSES)
     package.diagnose(learner, 'all')
     package.build(learner, learner.call('repair_package', package.files))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.faulty_robots import CAUSES, FRAMES, Robot, judge_rare_links
+from helpers.checks.chapter_07.faulty_robots import CAUSES, FRAMES, FaultyRobot, judge_rare_links
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')
@@ -16,10 +16,10 @@ def test_healthy_robot(learner):
     A frame needs neither mass nor collision.
     """
     for _ in range(8):
-        Robot(learner.random, flat=True).diagnose(learner)
+        FaultyRobot(learner.random, flat=True).diagnose(learner)
     for number in range(6):
-        Robot(learner.random).diagnose(learner)
-        robot = Robot(learner.random, frame=FRAMES[number % len(FRAMES)])
+        FaultyRobot(learner.random).diagnose(learner)
+        robot = FaultyRobot(learner.random, frame=FRAMES[number % len(FRAMES)])
         robot.diagnose(learner, 'frames')
         with about('kept'):
             robot.check(learner.call('repair_model', robot.urdf))
@@ -35,7 +35,7 @@ def test_one_link(learner, cause):
     """
     for form in range(12):
         with about(cause):
-            Robot(learner.random, cause, form=form, small=form > 5).diagnose(learner)
+            FaultyRobot(learner.random, cause, form=form, small=form > 5).diagnose(learner)
 
 
 @pytest.mark.rules('all')
@@ -45,7 +45,7 @@ def test_several_links(learner):
     Do not stop at the first one.
     """
     for _ in range(5):
-        robot = Robot(
+        robot = FaultyRobot(
             learner.random,
             *learner.random.sample(CAUSES, 2),
             ('base_link', 'mass'),
@@ -54,10 +54,10 @@ def test_several_links(learner):
         )
         robot.diagnose(learner, 'all')
     many = [(f'part_{number}', learner.random.choice(CAUSES)) for number in range(12)]
-    Robot(learner.random, *many, parts=12).diagnose(learner, 'all')
-    Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
+    FaultyRobot(learner.random, *many, parts=12).diagnose(learner, 'all')
+    FaultyRobot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
     for _ in range(2):
-        Robot(learner.random, *CAUSES, double=True).diagnose(learner, 'all')
+        FaultyRobot(learner.random, *CAUSES, double=True).diagnose(learner, 'all')
 
 
 @pytest.mark.rules('shape', 'weight', 'kept')
@@ -70,7 +70,7 @@ def test_repaired_links(learner):
     both = [('base_link', 'mass'), ('base_link', 'inertia')]
     for causes in (['collision'], ['mass'], ['inertia'], ['inertial'], both):
         for number in range(4):
-            robot = Robot(learner.random, *causes, form=number, frame=FRAMES[number % len(FRAMES)])
+            robot = FaultyRobot(learner.random, *causes, form=number, frame=FRAMES[number % len(FRAMES)])
             robot.diagnose(learner, 'all')
             with about('kept'):
                 robot.check(learner.call('repair_model', robot.urdf))
@@ -84,7 +84,9 @@ def test_it_stands(learner):
 
     MuJoCo simulates it for two seconds.
     """
-    robot = Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertia'), 'mass', 'collision', 'inertial')
+    robot = FaultyRobot(
+        learner.random, ('base_link', 'collision'), ('base_link', 'inertia'), 'mass', 'collision', 'inertial'
+    )
     robot.diagnose(learner, 'all')
     with about('kept'):
         repaired = learner.call('repair_model', robot.urdf)

@@ -2,7 +2,14 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_names, judge_other_places, judge_rare_trees
+from helpers.checks.chapter_07.tf_trees import (
+    ASIDE,
+    CAUSES,
+    FaultyTree,
+    judge_names,
+    judge_other_places,
+    judge_rare_trees,
+)
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -15,13 +22,13 @@ def test_healthy_tree(learner):
     Transforms that are not on the way may be old; older ones of a frame are no news.
     """
     for _ in range(4):
-        Tree(learner.random).in_order().diagnose(learner)
-        tree = Tree(learner.random)
+        FaultyTree(learner.random).in_order().diagnose(learner)
+        tree = FaultyTree(learner.random)
         tree.diagnose(learner, rule='newest')
         with about('repaired'):
             repaired = learner.call('repaired_tf', *tree.arguments)
         tree.check(repaired)
-    trees = [Tree(learner.random, cause).in_order() for cause in CAUSES]
+    trees = [FaultyTree(learner.random, cause).in_order() for cause in CAUSES]
     expect(
         any(learner.call('diagnose_tf', *tree.arguments) for tree in trees),
         f'Trees with a fault give an empty list, too: one for each of {", ".join(CAUSES)}.',
@@ -38,7 +45,7 @@ def test_one_fault(learner, cause):
     """
     for number in range(10):
         with about(cause.replace(' ', '-')):
-            Tree(learner.random, cause, moves=number % 2 == 0, decoy=number > 5).in_order().diagnose(learner)
+            FaultyTree(learner.random, cause, moves=number % 2 == 0, decoy=number > 5).in_order().diagnose(learner)
 
 
 @pytest.mark.rules('unknown', 'two-parents', 'not-connected', 'old', 'newest')
@@ -51,7 +58,7 @@ def test_other_places(learner):
         judge_other_places(learner)
         judge_rare_trees(learner)
         for aged in ('both', 'sensor'):
-            Tree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
+            FaultyTree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
 
 
 @pytest.mark.rules('newest')
@@ -62,7 +69,7 @@ def test_newest(learner):
     """
     for _ in range(6):
         with about('newest'):
-            Tree(learner.random, 'old').diagnose(learner, rule='newest')
+            FaultyTree(learner.random, 'old').diagnose(learner, rule='newest')
 
 
 @pytest.mark.rules('unknown', 'not-connected', 'nothing')
@@ -72,7 +79,7 @@ def test_nobody_near(learner):
     nearest returns '' then.
     """
     for cause in ('unknown', 'not connected'):
-        tree = Tree(learner.random, cause, near=False, decoy=True, moves=True)
+        tree = FaultyTree(learner.random, cause, near=False, decoy=True, moves=True)
         tree.diagnose(learner)
         with about('nothing'):
             repaired = learner.call('repaired_tf', *tree.arguments)
@@ -81,7 +88,7 @@ def test_nobody_near(learner):
             'There is no evidence, and repair_tf has changed something.',
             'nothing',
         )
-    tree = Tree(learner.random, 'old')
+    tree = FaultyTree(learner.random, 'old')
     with about('nothing'):
         expect(
             learner.call('repaired_tf', *tree.arguments) == [tree.moving, tree.static],
@@ -103,7 +110,7 @@ def test_hidden_fault(learner):
         (ASIDE, 'not connected'),
         *[('not connected', 'old')] * 6,
     ):
-        tree = Tree(learner.random, *causes, moves=True)
+        tree = FaultyTree(learner.random, *causes, moves=True)
         tree.diagnose(learner, [one for one in tree.expected if one[2] == tree.expected[0][2]], 'order')
 
 
@@ -116,7 +123,7 @@ def test_found_again(learner, cause):
     Names are exchanged or replaced; numbers stay.
     """
     for number in range(4):
-        tree = Tree(learner.random, cause, moves=number % 2 == 0)
+        tree = FaultyTree(learner.random, cause, moves=number % 2 == 0)
         tree.diagnose(learner)
         with about('repaired'):
             tree.check(tree.repaired(learner, tree.expected))

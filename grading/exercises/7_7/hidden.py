@@ -6,7 +6,7 @@ from helpers.checks.chapter_07 import machines
 from helpers.checks.chapter_07.cases import (
     FAULTS,
     ROUNDS,
-    Case,
+    DrawnCase,
     everything,
     judge_one_round,
     judge_one_round_of_frames,
@@ -20,7 +20,7 @@ pytestmark = pytest.mark.exercise('7.7')
 
 
 def find(learner, faults, rule):
-    Case(learner.random, faults).triage(learner, rule)
+    DrawnCase(learner.random, faults).triage(learner, rule)
 
 
 @pytest.mark.rules('nothing')
@@ -30,7 +30,7 @@ def test_healthy_case(learner):
     Each of your six tools gives one for its part.
     """
     find(learner, {}, 'nothing')
-    faulty = Case(learner.random, {'machine': ('key',), 'package': FAULTS['package'][:1], 'graph': ('type',)})
+    faulty = DrawnCase(learner.random, {'machine': ('key',), 'package': FAULTS['package'][:1], 'graph': ('type',)})
     with waiting('ends'):
         found = learner.call('triage', faulty.case)
     expect(found != [], 'A case with three faults gives an empty list, too.', 'nothing')
@@ -47,7 +47,7 @@ def test_two_faults(learner):
         parts = learner.random.sample(sorted(FAULTS), len(FAULTS))
         for pair in zip(parts[::2], parts[1::2], strict=True):
             find(learner, {part: (learner.random.choice(FAULTS[part]),) for part in pair}, 'every-part')
-    Case(learner.random, twice=True).triage(learner, 'every-part')
+    DrawnCase(learner.random, twice=True).triage(learner, 'every-part')
     for fault in ('both', 'service name', 'description durability'):
         find(learner, {'graph': (fault,), 'stacks': ('server',)}, 'every-part')
 
@@ -71,7 +71,7 @@ def test_hidden_frames(learner):
     Repair both lists of transforms, and look again.
     """
     for first in ('unknown', 'two parents', 'not connected'):
-        Case(learner.random, {'frames': (first, 'old')}, moves=True, aged='both').triage(learner, 'hidden')
+        DrawnCase(learner.random, {'frames': (first, 'old')}, moves=True, aged='both').triage(learner, 'hidden')
 
 
 @pytest.mark.rules('hidden')
@@ -104,7 +104,7 @@ def test_repaired_machine(learner):
 
     repair_machine and repair_package.
     """
-    case = Case(
+    case = DrawnCase(
         learner.random,
         {'machine': (learner.random.choice(machines.CAUSES[3:]), 'release'), 'package': ('module', 'function')},
     )
@@ -132,7 +132,7 @@ def test_repaired_graph(learner):
     """
     judge_one_round(learner)
     for faults in (['hidden'], ['service name', 'both'], ['description durability', 'name']):
-        case = Case(learner.random, {'graph': tuple(faults)})
+        case = DrawnCase(learner.random, {'graph': tuple(faults)})
         case.check(learner, 'graph', case.repaired(learner, 1 + (faults == ['hidden'])))
 
 
@@ -150,7 +150,7 @@ def test_repaired_frames(learner):
         (['two parents', ASIDE], False),
         (['not connected'], False),
     ):
-        case = Case(
+        case = DrawnCase(
             learner.random, {'frames': tuple(causes), 'model': (learner.random.choice(FAULTS['model']),)}, moves
         )
         with named('transforms'):

@@ -9,7 +9,7 @@ from grading.tests.authoring import sources
 @pytest.fixture
 def tree(tmp_path):
     """The folders of a course; its one source is sources.TINY."""
-    tree = chapter_build.Tree(tmp_path / 'course')
+    tree = chapter_build.CourseFolders(tmp_path / 'course')
     tree.solutions.mkdir(parents=True)
     tree.notebooks.mkdir()
     write(tree, sources.TINY)

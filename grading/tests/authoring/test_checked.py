@@ -123,7 +123,7 @@ def test_ci_runs_the_statements_too(tree, tmp_path):
 
 
 def test_each_chapter_of_the_course_has_its_checked_statements():
-    counts = rules.checked_counts(chapter_build.read_all(chapter_build.Tree(paths.ROOT)))
+    counts = rules.checked_counts(chapter_build.read_all(chapter_build.CourseFolders(paths.ROOT)))
     assert set(counts) == set(rules.CHECKED_AT_LEAST)
     assert all(rules.CHECKED_AT_LEAST.values())
     assert [number for number, count in counts.items() if count < rules.CHECKED_AT_LEAST[number]] == []

@@ -14,7 +14,7 @@ from helpers import paths
 from helpers.exercises import cell_ids
 from helpers.tests.show.contrast import contrast
 
-COURSE = chapter_build.Tree(paths.ROOT)
+COURSE = chapter_build.CourseFolders(paths.ROOT)
 DRAWING = """from grading.authoring.drawing import Sheet
 
 ALT = 'A box with a word.'

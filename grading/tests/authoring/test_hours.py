@@ -9,7 +9,7 @@ from helpers import paths
 
 WORDS, CELLS, POINT = 150, 2, 1.2  # words and cells of code in a minute, minutes for a point
 NUMBERS = ('zero', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight')
-COURSE = chapter_build.Tree(paths.ROOT)
+COURSE = chapter_build.CourseFolders(paths.ROOT)
 
 
 def estimated(cells):

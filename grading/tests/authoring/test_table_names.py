@@ -10,7 +10,7 @@ from grading.authoring import chapter, chapter_build, table_names
 from helpers import paths
 
 ROOM = 15  # letters of code in a column of a table with four of them, in a window of 700 px
-COURSE = chapter_build.Tree(paths.ROOT)
+COURSE = chapter_build.CourseFolders(paths.ROOT)
 
 
 def text_of(markdown):

@@ -19,9 +19,9 @@ from helpers.cli import app
 @pytest.fixture
 def course(tmp_path, monkeypatch):
     """A course of one tiny chapter in place of the real one."""
-    from grading.authoring.chapter_build import Tree
+    from grading.authoring.chapter_build import CourseFolders
 
-    tree = Tree(tmp_path)
+    tree = CourseFolders(tmp_path)
     tree.solutions.mkdir()
     tree.notebooks.mkdir()
     write(tree, TINY)

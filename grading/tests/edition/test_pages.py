@@ -16,7 +16,7 @@ from grading.tests.authoring.test_figures import illustrated  # noqa: F401 - a f
 from helpers import paths
 from helpers.show.views import recording
 
-COURSE = chapter_build.Tree(paths.ROOT)
+COURSE = chapter_build.CourseFolders(paths.ROOT)
 
 
 @pytest.mark.parametrize('source', chapters.sources(COURSE.solutions), ids=lambda path: path.stem)

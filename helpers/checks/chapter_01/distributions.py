@@ -34,7 +34,7 @@ _WHY = {
 
 
 @dataclass(frozen=True)
-class Case:
+class Question:
     """One question, and the rule that a wrong answer breaks."""
 
     rule: str
@@ -56,7 +56,7 @@ def chosen(ubuntu: str, today: str, table: dict) -> list:
     return [None, 'not released yet' if any(first > month for _, first, _ in rows.values()) else 'end of life']
 
 
-def cases(random: Random) -> list[Case]:
+def cases(random: Random) -> list[Question]:
     """Questions about the course's table."""
     asked = {
         'ends-last': BOTH_SUPPORTED,
@@ -75,11 +75,13 @@ def cases(random: Random) -> list[Case]:
         ],
     }
     return [
-        Case(rule, ubuntu, month) for rule, pairs in asked.items() for ubuntu, month in random.sample(pairs, len(pairs))
+        Question(rule, ubuntu, month)
+        for rule, pairs in asked.items()
+        for ubuntu, month in random.sample(pairs, len(pairs))
     ]
 
 
-def drawn_cases(random: Random) -> list[Case]:
+def drawn_cases(random: Random) -> list[Question]:
     """Questions about a table of which nobody knows anything by heart."""
     # A century begins in it: who compares two digits of the years is found out.
     year = random.choice([random.randint(1993, 1998), random.randint(2093, 2098)])
@@ -113,11 +115,11 @@ def drawn_cases(random: Random) -> list[Case]:
     # The name of what has no end in ROS. Here it is a row like any other.
     rolling = {'jazzy': RELEASES['jazzy'], 'rolling': SentAsTuple(('24.04', '2020-06', '2030-01'))}
     return [
-        *[Case(rule, ubuntu, month, table) for rule, ubuntu, month in asked],
-        *[Case(rule, ubuntu, month, turned) for rule, ubuntu, month in asked if rule in ('to-come', 'ends-last')],
-        Case('table', '24.04', '2026-11', {}),
-        Case('table', '24.04', '2026-11', rolling),
-        *[Case('table', ubuntu, month, known) for ubuntu, month in BOTH_SUPPORTED],
+        *[Question(rule, ubuntu, month, table) for rule, ubuntu, month in asked],
+        *[Question(rule, ubuntu, month, turned) for rule, ubuntu, month in asked if rule in ('to-come', 'ends-last')],
+        Question('table', '24.04', '2026-11', {}),
+        Question('table', '24.04', '2026-11', rolling),
+        *[Question('table', ubuntu, month, known) for ubuntu, month in BOTH_SUPPORTED],
     ]
 
 
@@ -143,7 +145,7 @@ def _drawn_rows(random: Random, year: int, leap: int, systems: tuple[str, ...]) 
     return rows
 
 
-def crowded_cases(random: Random) -> list[Case]:
+def crowded_cases(random: Random) -> list[Question]:
     """A table with seven distributions for one Ubuntu, one that is supported for a month, and names of all kinds."""
     year = random.randint(2051, 2088)
     ends = [3, 4, 2, 5, 9, 6, 7]  # from both ends of the table, some come before the one that ends last
@@ -156,10 +158,10 @@ def crowded_cases(random: Random) -> list[Case]:
         rows[name] = [f'{50 + 2 * number}.10', month if number == 0 else f'{year}-02', month]
     table = {name: SentAsTuple(row) for name, row in rows.items()}
     asked = [('months', f'{50 + 2 * number}.10') for number in range(len(_LETTERS))]
-    return [Case(rule, ubuntu, month, table) for rule, ubuntu in [('ends-last', '48.04'), *asked]]
+    return [Question(rule, ubuntu, month, table) for rule, ubuntu in [('ends-last', '48.04'), *asked]]
 
 
-def border_cases(random: Random) -> list[Case]:
+def border_cases(random: Random) -> list[Question]:
     """The months on both sides of each border in a drawn table, and the same with other names in the same rows."""
     systems = random.sample(['27.04', '29.10', '31.04', '33.10'], 3)
     rows: list[list[str]] = []
@@ -174,7 +176,7 @@ def border_cases(random: Random) -> list[Case]:
     names = random.sample((*_NAMES, *_LETTERS), len(rows))
     table, renamed = (dict(zip(names[turn:] + names[:turn], map(SentAsTuple, rows), strict=True)) for turn in (0, 1))
     return [
-        Case(_rule(system, month, table), system, month, now, before)
+        Question(_rule(system, month, table), system, month, now, before)
         for system, month in asked
         for now, before in ((table, None), (renamed, table))
     ]
@@ -192,7 +194,7 @@ def _rule(system: str, month: str, table: dict) -> str:
     return {'not released yet': 'to-come', 'end of life': 'ended'}[reason]
 
 
-def check(learner, asked: list[Case]) -> None:
+def check(learner, asked: list[Question]) -> None:
     """`choose_distribution` answers these questions rightly."""
     first = FirstCall(learner, 'choose_distribution', 'table')
     for case in asked:
@@ -203,7 +205,7 @@ def check(learner, asked: list[Case]) -> None:
             _check_day(learner, case, f'{case.month}-{day:02}', first)
 
 
-def _check_day(learner, case: Case, today: str, first: FirstCall) -> None:
+def _check_day(learner, case: Question, today: str, first: FirstCall) -> None:
     given = [] if case.table is None else [case.table]
     with about(case.rule if case.before is None else 'table'):
         got = learner.call('choose_distribution', case.ubuntu, today, *given)
@@ -237,7 +239,7 @@ def _check_day(learner, case: Case, today: str, first: FirstCall) -> None:
     first.check_unchanged()
 
 
-def _explained(case: Case, got: list, wanted: list, table: dict) -> tuple[str, str]:
+def _explained(case: Question, got: list, wanted: list, table: dict) -> tuple[str, str]:
     """The rule that a wrong answer breaks, and a sentence on it."""
     name, right = got[0] or '', wanted[0] or ''
     if right and name != right and name.lower() == right.lower():

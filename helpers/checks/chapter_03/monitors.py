@@ -170,7 +170,7 @@ def start(learner, space: str, *args, qos=qos_profile_sensor_data, **kwargs):
     return rates, gaps, lidar, node
 
 
-class Watched:
+class ExpectedReports:
     """What a monitor with this `max_gap` must say, from the scans that are sent to it."""
 
     def __init__(self, learner, lidar, gaps, max_gap: float):

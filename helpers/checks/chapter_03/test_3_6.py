@@ -31,7 +31,7 @@ def test_monitor(learner):
         learner.run(len(sent) + 0.05, step=1.0)
     check_reports(rates, sent, begin)
     stamp = 0.0  # a simulated sensor begins so: it is a stamp like any other
-    watched = monitors.Watched(learner, lidar, gaps, max_gap)
+    watched = monitors.ExpectedReports(learner, lidar, gaps, max_gap)
     steps = draw_steps(random, max_gap)
     for count in (5, 10):
         for _ in range(count):

@@ -13,7 +13,7 @@ _WHOLE = 4  # so many commands of a story are not dropped
 
 
 @dataclass
-class Answer:
+class GripperAnswer:
     """What the server does with one request: it answers after `delay` ms, or never (None)."""
 
     delay: int | None
@@ -21,13 +21,13 @@ class Answer:
 
 
 @dataclass
-class Story:
+class GripperStory:
     """What the card says for a client: `requests` as (ms, data), and `reports` as (ms, word, why it is so)."""
 
     timeout: int
     tries: int
     commands: list[tuple[int, bool]]
-    answers: list[Answer]
+    answers: list[GripperAnswer]
     requests: list[tuple[int, bool]] = field(default_factory=list)
     reports: list[tuple[int, str, str]] = field(default_factory=list)
 
@@ -67,7 +67,7 @@ class Story:
         return len(set(moments)) == len(moments)
 
 
-def drawn(draw, count: int) -> Story:
+def drawn(draw, count: int) -> GripperStory:
     """A story of `count` commands, in which nothing depends on what comes first at one moment."""
     while True:
         story = _drawn(draw, count)
@@ -75,7 +75,7 @@ def drawn(draw, count: int) -> Story:
             return story
 
 
-def _drawn(draw, count: int) -> Story:
+def _drawn(draw, count: int) -> GripperStory:
     timeout, tries = draw.choice([400, 700, 1100]), draw.choice([3, 3, 4, 5])
     commands, time = [], 0
     for number in range(count):
@@ -83,19 +83,19 @@ def _drawn(draw, count: int) -> Story:
         pause = 4 * tries + 2 if 1 <= number <= _WHOLE else draw.randrange(2, 4 * tries + 3)
         time += pause * (timeout // 4) + draw.randrange(7, timeout // 9)
         commands.append((time, draw.choice([False, True])))
-    answers = [Answer(_delay(draw, timeout), draw.random() < 0.5) for _ in range(draw.randint(5, 9))]
+    answers = [GripperAnswer(_delay(draw, timeout), draw.random() < 0.5) for _ in range(draw.randint(5, 9))]
     yes = draw.choice([False, True])
     late = [(yes, not yes), (not yes, yes)]  # what a late answer says, and what then the one to the second request says
     first = [
         answer
         for one, other in late
         for answer in (
-            Answer(timeout + draw.randrange(11, timeout // 2), one),
-            Answer(draw.randrange(timeout // 2, timeout - 10), other),
+            GripperAnswer(timeout + draw.randrange(11, timeout // 2), one),
+            GripperAnswer(draw.randrange(timeout // 2, timeout - 10), other),
         )
     ]
-    nothing = [Answer(None)] * (2 * tries)  # two commands fail, one after the other
-    return Story(timeout, tries, commands, [*first, *nothing, *answers])
+    nothing = [GripperAnswer(None)] * (2 * tries)  # two commands fail, one after the other
+    return GripperStory(timeout, tries, commands, [*first, *nothing, *answers])
 
 
 def _delay(draw, timeout: int) -> int | None:
@@ -109,7 +109,7 @@ def check_script(learner, count: int) -> None:
     story = drawn(learner.random, count)
     states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
     answers = iter(story.answers * (8 * count))
-    now: list[Answer] = []
+    now: list[GripperAnswer] = []
 
     def answer(_):
         return {'success': now[-1].success} if now[-1].delay is not None else None
@@ -134,7 +134,7 @@ def check_script(learner, count: int) -> None:
     _compare(story, requests, reports)
 
 
-def _compare(story: Story, requests, reports) -> None:
+def _compare(story: GripperStory, requests, reports) -> None:
     """Say what was the first thing that was not as the card says."""
     wanted = [(at, word) for at, word, _ in story.reports]
     seen = _first_difference(requests, story.requests)
@@ -165,7 +165,7 @@ def _compare(story: Story, requests, reports) -> None:
     expect(False, f'{words}Until the next command gripper_state said {_listed(said)}, expected {_listed(right)}.', rule)
 
 
-def _rule_of_report(story: Story, at: int, begin: int) -> str:
+def _rule_of_report(story: GripperStory, at: int, begin: int) -> str:
     """Which rule is broken by a report at this time that should not be; `begin`: of the command that was the newest."""
     for number, (time, _) in enumerate(story.requests):
         delay = story.answers[number % len(story.answers)].delay
@@ -179,7 +179,7 @@ def _first_difference(one: list, other: list) -> int | None:
     return min((entry[0] for entry in set(one) ^ set(other)), default=None)
 
 
-def _before(story: Story, begin: int) -> str:
+def _before(story: GripperStory, begin: int) -> str:
     earlier = [time for time, _ in story.commands if time < begin]
     if not earlier:
         return ''
@@ -188,7 +188,7 @@ def _before(story: Story, begin: int) -> str:
     return f' (the one before it, at {last * MS:.3f} s, {"had been reported" if ended else "was open still"})'
 
 
-def _answers(story: Story, begin: int) -> str:
+def _answers(story: GripperStory, begin: int) -> str:
     """What the server does with the requests of a command, as far as the card lets them come."""
     end = min((time for time, _ in story.commands if time > begin), default=10**9)
     numbers = [number for number, (time, _) in enumerate(story.requests) if begin <= time < end]

@@ -28,7 +28,7 @@ from helpers.runner.turtlesim import TurtleSim
 pytestmark = [pytest.mark.exercise('5.4'), pytest.mark.wiring(type='names', namespace='names')]
 
 
-class Robot:
+class StandingRobot:
     """A robot that does not move: the test says where it stands."""
 
     def __init__(self, learner):
@@ -90,7 +90,7 @@ def test_standing_robot(learner):
 
     One round every 0.1 s: wait, steer(), look for a reason to end, else publish. Zeros come after the loop.
     """
-    draw, robot = learner.random, Robot(learner)
+    draw, robot = learner.random, StandingRobot(learner)
     _check_names(learner, robot)
     goal = _begin_again(learner, robot, _take_first_goal(learner, robot))
     command = _follow_poses(learner, robot)

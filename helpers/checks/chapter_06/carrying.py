@@ -22,7 +22,7 @@ def told(found: object) -> str:
     return f'the point {words((found.point.x, found.point.y, found.point.z))} in `{found.header.frame_id}`'
 
 
-class Scene:
+class CarriedCup:
     """Robot and cup move straight on, and turn evenly: what tf2 interpolates is exact.
 
     `robot` and `cup` are (x, y, yaw at the begin; metres, radians) and (their changes in a second). The clock itself is

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.carrying import Scene, told
+from helpers.checks.chapter_06.carrying import CarriedCup, told
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('6.3')
@@ -16,7 +16,7 @@ def test_cup(learner):
     lookup_transform_full has a time for the target, one for the source, and a frame that did not move in between.
     """
     draw = learner.random.uniform
-    there = Scene(
+    there = CarriedCup(
         learner,
         robot=[(draw(-1, 1), draw(-1, 1), draw(-3, 3)), (draw(0.5, 1), draw(0.5, 1), draw(0.3, 0.5))],
         cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))],

@@ -53,7 +53,7 @@ def named(rule: str):
         raise
 
 
-class Case:
+class DrawnCase:
     """A drawn case: `case` as the learner gets it, and all `expected` findings."""
 
     def __init__(
@@ -66,17 +66,17 @@ class Case:
     ):
         """`faults`: part of the case -> causes. In 'graph', 'hidden' is a wrong name that hides a wrong reliability.
 
-        `moves` and `aged`: as for `tf_trees.Tree`. `twice`: the machine is one of `machines.twice`, whose findings
-        differ in their evidence only.
+        `moves` and `aged`: as for `tf_trees.FaultyTree`. `twice`: the machine is one of `machines.twice`, whose
+        findings differ in their evidence only.
         """
         faults = faults or {}
         causes = {part: faults.get(part, ()) for part in FAULTS}
         self.files, self.want, self.expected = (
             machines.twice(random) if twice else machines.draw(random, *causes['machine'])
         )
-        self.package = faulty_packages.Package(random, *causes['package'])
-        self.robot = faulty_robots.Robot(random, *causes['model'])
-        self.tree = tf_trees.Tree(random, *causes['frames'], moves=moves, aged=aged)
+        self.package = faulty_packages.FaultyPackage(random, *causes['package'])
+        self.robot = faulty_robots.FaultyRobot(random, *causes['model'])
+        self.tree = tf_trees.FaultyTree(random, *causes['frames'], moves=moves, aged=aged)
         text, programs, hanging = stacks.draw(random, 'idle', *causes['stacks'], 'spinning')
         hidden = causes['graph'] == ('hidden',)
         endpoints, deaf = graphs.draw(random, *(('name',) if hidden else causes['graph']))
@@ -196,19 +196,19 @@ class Case:
 
 def judge_single_repairs(learner) -> None:
     """A fault is repaired, also if it is the only one of the case; a case without a fault stays as it is."""
-    case = Case(learner.random)
+    case = DrawnCase(learner.random)
     after = case.repaired(learner)
     for part in REPAIRED:
         case.check(learner, part, after)
     for part, causes in REPAIRED.items():
         for cause in causes:
-            case = Case(learner.random, {part: (cause,)})
+            case = DrawnCase(learner.random, {part: (cause,)})
             case.check(learner, part, case.repaired(learner))
 
 
 def judge_one_round(learner) -> None:
     """A call of repair_case is one round: what shows only after it is still there."""
-    case = Case(learner.random, {'graph': ('hidden',)})
+    case = DrawnCase(learner.random, {'graph': ('hidden',)})
     (_, before, *_), (_, after, policy, _) = case.expected
     node, name = after.split()
     ends = case.repaired(learner)['endpoints']
@@ -225,7 +225,7 @@ def judge_one_round(learner) -> None:
 
 def judge_one_round_of_frames(learner) -> None:
     """The same for frames: what is wrong elsewhere in the tree shows only when the source has its name."""
-    case = Case(learner.random, {'frames': ('unknown', tf_trees.ASIDE)})
+    case = DrawnCase(learner.random, {'frames': ('unknown', tf_trees.ASIDE)})
     parts = [case.case['moving'], case.repaired(learner)['moving']]
     before, after = ([names for names in map(tf_trees.names_of, part) if 'lid' in names] for part in parts)
     expect(
@@ -237,7 +237,7 @@ def judge_one_round_of_frames(learner) -> None:
     )
 
 
-def everything(random) -> Case:
+def everything(random) -> DrawnCase:
     """A case with a fault in each part, two or more of which hide others: many findings, in several rounds."""
     faults = {part: (random.choice(causes),) for part, causes in FAULTS.items()}
-    return Case(random, {**faults, 'frames': ROUNDS, 'graph': ('hidden',)})
+    return DrawnCase(random, {**faults, 'frames': ROUNDS, 'graph': ('hidden',)})

@@ -93,7 +93,7 @@ _PACKAGE_XML = """\
 """
 
 
-class Package:
+class FaultyPackage:
     """A drawn package: `files` as the learner gets them, `expected` findings, `right` entry points."""
 
     def __init__(self, random, *causes: str, form: int | None = None):

@@ -44,7 +44,7 @@ else:
 """
 
 
-class Robot:
+class FaultyRobot:
     """A drawn robot: its `urdf`, and the `expected` findings. `causes`: pairs of link and cause, or causes."""
 
     def __init__(
@@ -337,7 +337,7 @@ def judge_rare_links(learner) -> None:
     """Repairs of links that are small, or that are seen where they are, without an <origin>."""
     for cause, rule, form in (('collision', 'shape', {'bare': True}), ('inertia', 'weight', {'small': True})):
         for _ in range(2):
-            robot = Robot(learner.random, cause, **form)
+            robot = FaultyRobot(learner.random, cause, **form)
             robot.diagnose(learner)
             with about(rule):
                 robot.check(learner.call('repair_model', robot.urdf))

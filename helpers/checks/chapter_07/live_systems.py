@@ -77,7 +77,7 @@ exec {command}
 
 
 @dataclass(frozen=True)
-class Answer:
+class Findings:
     """What the learner's cell says, by the numbers of the systems."""
 
     who: str
@@ -89,7 +89,7 @@ class Answer:
         return bool(self.findings.get(number) or self.changes.get(number))
 
 
-def answer(learner) -> Answer:
+def answer(learner) -> Findings:
     """Read the learner's answer, once in a session; fail with words if it has not its form."""
     cache = learner.server.workspaces
     if 'live answer' not in cache:
@@ -115,7 +115,9 @@ def answer(learner) -> Answer:
                 )
             if told := no_fault(with_name(one)[0]):
                 raise broken(f'System {number}: {told}', 'cause')
-    return Answer(key(who), {number: [with_name(one) for one in found] for number, found in findings.items()}, changes)
+    return Findings(
+        key(who), {number: [with_name(one) for one in found] for number, found in findings.items()}, changes
+    )
 
 
 def judge_all(learner, judge) -> None:

@@ -449,7 +449,7 @@ class _LateServer:
         return response
 
 
-class Client:
+class ClientProgram:
     """The learner's client as a program; its servers are the test's, outside of where it runs."""
 
     def __init__(self, learner):
@@ -529,7 +529,7 @@ class Client:
 
 def judge_answer(learner, of: str) -> None:
     """The rule `answer`: the server comes late, and takes its time, and the client has much more."""
-    runs = Client(learner).runs(of)
+    runs = ClientProgram(learner).runs(of)
     done = runs['late']
     told = f'The server of {done.name} came after about 2 s and answered `{done.word}` about 2 s after it was asked'
     expect(
@@ -558,7 +558,7 @@ def judge_answer(learner, of: str) -> None:
 
 def judge_no_server(learner, of: str) -> None:
     """The rule `no-server`. What a client says of every service, it says of none."""
-    runs = Client(learner).runs(of)
+    runs = ClientProgram(learner).runs(of)
     done, silent = runs['nobody'], runs['silent']
     told = f'There is no server for {done.name}'
     expect(
@@ -573,7 +573,7 @@ def judge_no_server(learner, of: str) -> None:
 
 def judge_no_answer(learner, of: str) -> None:
     """The rule `no-answer`."""
-    done = Client(learner).runs(of)['silent']
+    done = ClientProgram(learner).runs(of)['silent']
     told = 'The server never answers'
     expect(done.status != 'none', f'{told}, and the client waits on and on.')
     expect((done.printed, done.status) == ('no answer', '1'), f'{told}; the client {done.told}')
@@ -594,7 +594,7 @@ def _judge_time(done: Ended, told: str) -> None:
 
 def judge_interrupt(learner) -> None:
     """The rule `interrupt`."""
-    client = Client(learner)
+    client = ClientProgram(learner)
     for silent, what in ((False, 'for a server'), (True, 'for the answer of a server')):
         ended, early = client.interrupt(silent)
         expect(

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.faulty_packages import CAUSES, FORMS, Package, judge_rare_entries
+from helpers.checks.chapter_07.faulty_packages import CAUSES, FORMS, FaultyPackage, judge_rare_entries
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')
@@ -17,13 +17,13 @@ def test_causes(learner):
     for cause in CAUSES:
         for form in range(FORMS):
             with about(cause):
-                Package(learner.random, cause, form=form).diagnose(learner)
-    Package(learner.random).diagnose(learner)
+                FaultyPackage(learner.random, cause, form=form).diagnose(learner)
+    FaultyPackage(learner.random).diagnose(learner)
     judge_rare_entries(learner)
     with about('all'):
-        Package(learner.random, *CAUSES).diagnose(learner, 'all')
-        Package(learner.random, 'module', 'module', form=0).diagnose(learner, 'all')
-        Package(learner.random, *CAUSES, 'file', 'module').diagnose(learner, 'all')  # every program is wrong
+        FaultyPackage(learner.random, *CAUSES).diagnose(learner, 'all')
+        FaultyPackage(learner.random, 'module', 'module', form=0).diagnose(learner, 'all')
+        FaultyPackage(learner.random, *CAUSES, 'file', 'module').diagnose(learner, 'all')  # every program is wrong
 
 
 @pytest.mark.rules('repaired', 'kept')
@@ -41,7 +41,7 @@ def test_repair(learner):
         (CAUSES, None),
         every,
     ):
-        package = Package(learner.random, *causes, form=form)
+        package = FaultyPackage(learner.random, *causes, form=form)
         package.diagnose(learner, 'all')
         with about('repaired'):
             package.check(learner.call('repair_package', package.files))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.faulty_robots import CAUSES, FRAMES, Robot, judge_rare_links
+from helpers.checks.chapter_07.faulty_robots import CAUSES, FRAMES, FaultyRobot, judge_rare_links
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')
@@ -17,25 +17,25 @@ def test_causes(learner):
     for cause in CAUSES:
         for form in range({'mass': 3, 'inertia': 9}.get(cause, 1)):
             with about(cause):
-                Robot(learner.random, cause, form=form).diagnose(learner)
-    Robot(learner.random).diagnose(learner)
+                FaultyRobot(learner.random, cause, form=form).diagnose(learner)
+    FaultyRobot(learner.random).diagnose(learner)
     for _ in range(4):
-        Robot(learner.random, flat=True).diagnose(learner)
+        FaultyRobot(learner.random, flat=True).diagnose(learner)
     for form in (2, 5, 8):  # a sum that is wrong
         with about('inertia'):
-            Robot(learner.random, 'inertia', small=True, form=form).diagnose(learner)
+            FaultyRobot(learner.random, 'inertia', small=True, form=form).diagnose(learner)
     for frame in FRAMES:
         with about('frames'):
             for _ in range(2):
-                Robot(learner.random, frame=frame).diagnose(learner, 'frames')
+                FaultyRobot(learner.random, frame=frame).diagnose(learner, 'frames')
     with about('all'):
-        Robot(learner.random, *[('base_link', cause) for cause in ('collision', 'mass', 'inertia')]).diagnose(
+        FaultyRobot(learner.random, *[('base_link', cause) for cause in ('collision', 'mass', 'inertia')]).diagnose(
             learner, 'all'
         )
         many = [(f'part_{number}', learner.random.choice(['mass', 'inertial', 'collision'])) for number in range(5, 30)]
-        Robot(learner.random, ('base_link', 'mass'), *many, 'mass', parts=30).diagnose(learner, 'all')
-        Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
-        Robot(learner.random, *CAUSES, double=True).diagnose(learner, 'all')
+        FaultyRobot(learner.random, ('base_link', 'mass'), *many, 'mass', parts=30).diagnose(learner, 'all')
+        FaultyRobot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
+        FaultyRobot(learner.random, *CAUSES, double=True).diagnose(learner, 'all')
 
 
 @pytest.mark.rules('shape', 'weight', 'kept', 'frames')
@@ -48,7 +48,7 @@ def test_repair(learner):
     for causes in ((), *[(cause,) for cause in CAUSES], both, CAUSES):
         # A negative mass shows whose mass the moments are; 0 does not.
         negative = causes in (('mass',), both)
-        robot = Robot(
+        robot = FaultyRobot(
             learner.random,
             *causes,
             frame='inertial' if negative or not causes else 'empty',

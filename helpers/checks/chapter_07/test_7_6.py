@@ -2,7 +2,14 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_names, judge_other_places, judge_rare_trees
+from helpers.checks.chapter_07.tf_trees import (
+    ASIDE,
+    CAUSES,
+    FaultyTree,
+    judge_names,
+    judge_other_places,
+    judge_rare_trees,
+)
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -17,19 +24,19 @@ def test_causes(learner):
     for cause in CAUSES[:3]:
         for moves in (True, False):
             with about(cause.replace(' ', '-')):
-                Tree(learner.random, cause, moves=moves).diagnose(learner)
+                FaultyTree(learner.random, cause, moves=moves).diagnose(learner)
     judge_other_places(learner)
     judge_rare_trees(learner)
     with about('unknown'):
-        Tree(learner.random, 'unknown', near=False, moves=True).diagnose(learner)
+        FaultyTree(learner.random, 'unknown', near=False, moves=True).diagnose(learner)
     for near in (True, False):
-        Tree(learner.random, 'not connected', near=near, moves=True, decoy=True).diagnose(learner)
+        FaultyTree(learner.random, 'not connected', near=near, moves=True, decoy=True).diagnose(learner)
     for aged in ('upper', 'lower', 'both', 'sensor'):
-        Tree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
+        FaultyTree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
     for _ in range(3):
         with about('newest'):
-            Tree(learner.random, 'old').diagnose(learner, rule='newest')
-            Tree(learner.random).diagnose(learner, rule='newest')
+            FaultyTree(learner.random, 'old').diagnose(learner, rule='newest')
+            FaultyTree(learner.random).diagnose(learner, rule='newest')
     for causes in (
         ('unknown', 'old'),
         ('unknown', 'two parents'),
@@ -37,7 +44,7 @@ def test_causes(learner):
         (ASIDE, 'not connected'),
         *[('not connected', 'old')] * 6,
     ):
-        tree = Tree(learner.random, *causes, moves=True)
+        tree = FaultyTree(learner.random, *causes, moves=True)
         tree.diagnose(learner, [one for one in tree.expected if one[2] == tree.expected[0][2]], 'order')
 
 
@@ -49,17 +56,17 @@ def test_repair(learner):
     """
     for cause in CAUSES[:3]:
         for moves in (True, False):
-            tree = Tree(learner.random, cause, moves=moves)
+            tree = FaultyTree(learner.random, cause, moves=moves)
             tree.diagnose(learner)
             with about('repaired'):
                 tree.check(tree.repaired(learner, tree.expected))
     judge_names(learner)
-    tree = Tree(learner.random)
+    tree = FaultyTree(learner.random)
     with about('repaired'):
         repaired = learner.call('repaired_tf', *tree.arguments)
     tree.check(repaired)
     for cause, near in (('unknown', False), ('not connected', False), ('old', True)):
-        tree = Tree(learner.random, cause, near=near)
+        tree = FaultyTree(learner.random, cause, near=near)
         with about('nothing'):
             after = tree.repaired(learner, tree.expected)
         expect(

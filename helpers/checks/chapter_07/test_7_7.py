@@ -7,7 +7,7 @@ from helpers.checks.chapter_07.cases import (
     FAULTS,
     REPAIRED,
     ROUNDS,
-    Case,
+    DrawnCase,
     everything,
     judge_one_round,
     judge_one_round_of_frames,
@@ -26,16 +26,16 @@ def test_triage(learner):
     Ask all six tools, repair, and look again until there is nothing new.
     """
     random = learner.random
-    Case(random).triage(learner, 'nothing')
+    DrawnCase(random).triage(learner, 'nothing')
     for number in range(max(map(len, FAULTS.values()))):  # each fault of each part, in one case with others
         faults = {part: (causes[number % len(causes)],) for part, causes in FAULTS.items()}
-        Case(random, faults).triage(learner, 'every-part')
-    Case(random, twice=True).triage(learner, 'every-part')
-    Case(random, {'graph': ('type', 'nobody')}).triage(learner, 'ends')
-    Case(random, {'graph': ('hidden',)}).triage(learner, 'hidden')
+        DrawnCase(random, faults).triage(learner, 'every-part')
+    DrawnCase(random, twice=True).triage(learner, 'every-part')
+    DrawnCase(random, {'graph': ('type', 'nobody')}).triage(learner, 'ends')
+    DrawnCase(random, {'graph': ('hidden',)}).triage(learner, 'hidden')
     for first in ('unknown', 'two parents', 'not connected'):
-        Case(random, {'frames': (first, 'old')}, moves=True, aged='both').triage(learner, 'hidden')
-    Case(random, {'frames': ROUNDS, 'graph': ('type',)}).triage(learner, 'hidden')
+        DrawnCase(random, {'frames': (first, 'old')}, moves=True, aged='both').triage(learner, 'hidden')
+    DrawnCase(random, {'frames': ROUNDS, 'graph': ('type',)}).triage(learner, 'hidden')
     everything(random).triage(learner, 'hidden')
 
 
@@ -46,7 +46,7 @@ def test_repair(learner):
     `{**case, 'urdf': …}` is a new dictionary with one entry changed.
     """
     random = learner.random
-    case = Case(
+    case = DrawnCase(
         random,
         {
             'machine': (random.choice(machines.CAUSES[3:]), 'release'),
@@ -64,10 +64,10 @@ def test_repair(learner):
     judge_one_round(learner)
     judge_one_round_of_frames(learner)
     for faults in (('service name', 'both'), ('description durability', 'name')):
-        case = Case(random, {'graph': faults})
+        case = DrawnCase(random, {'graph': faults})
         case.check(learner, 'graph', case.repaired(learner))
     for causes, moves in ((('two parents',), True), (('two parents', ASIDE), False), (('not connected',), False)):
-        case = Case(random, {'frames': causes}, moves)
+        case = DrawnCase(random, {'frames': causes}, moves)
         with named('transforms'):
             after = case.repaired(learner)
         case.check(learner, 'frames', after)

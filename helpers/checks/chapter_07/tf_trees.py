@@ -42,7 +42,7 @@ class _Faults:
         return names[::-1] if child in self.exchanged else names
 
 
-class Tree:
+class FaultyTree:
     """A drawn robot: `moving`, `static`, `target`, `source`, `now`; the `expected` findings, and the `truth`."""
 
     def __init__(
@@ -186,7 +186,7 @@ class Tree:
             given,
         )
 
-    def in_order(self) -> 'Tree':
+    def in_order(self) -> 'FaultyTree':
         """The tree, with moving transforms that have come in the order of their stamps."""
         self.moving.sort(key=lambda one: Time.from_msg(one.header.stamp).nanoseconds)
         return self
@@ -269,18 +269,18 @@ class Tree:
 def judge_other_places(learner) -> None:
     """Causes that are not on the way to the sensor: rules `unknown`, `two-parents` and `not-connected`."""
     with about('unknown'):
-        Tree(learner.random, 'unknown', loose=True).diagnose(learner)
-        tree = Tree(learner.random, loose=True)
+        FaultyTree(learner.random, 'unknown', loose=True).diagnose(learner)
+        tree = FaultyTree(learner.random, loose=True)
         tree.diagnose(learner, rule='unknown')
         _judge_meant_target(learner, tree)
         _judge_other_letters(learner)
         _judge_silence(learner)
     with about('two-parents'):
-        Tree(learner.random, ASIDE).diagnose(learner)
-        Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
+        FaultyTree(learner.random, ASIDE).diagnose(learner)
+        FaultyTree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
     _judge_usual_roots(learner)
     _judge_meant_names(learner)
-    Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
+    FaultyTree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
     _judge_deep_way(learner)
 
 
@@ -360,7 +360,7 @@ def _judge_meant_names(learner) -> None:
                 )
 
 
-def _judge_meant_target(learner, tree: Tree) -> None:
+def _judge_meant_target(learner, tree: FaultyTree) -> None:
     """The rule `unknown`, where the target itself was meant: it is a frame like any other."""
     wrong = tree.misspelt('platform')
     static = [_transform('platform', tree.source, [0.1, 0.0, 0.0], 0.0)]

@@ -6,7 +6,7 @@
 import re
 from dataclasses import dataclass, field
 
-from helpers.checks.chapter_08.planted import ENDED, OWN, Outcome, Subject, judge
+from helpers.checks.chapter_08.planted import ENDED, OWN, Subject, TestsOutcome, judge
 from helpers.runner import about, expect
 
 
@@ -35,7 +35,7 @@ class Planted:
     kinds: tuple[Kind, ...] = ()
     told: bool = False
 
-    def outcomes(self, learner) -> dict[str, Outcome]:
+    def outcomes(self, learner) -> dict[str, TestsOutcome]:
         """How the learner's tests end with each program; with some only, if they do not pass with a right one."""
         wrong = {name: text for kind in self.kinds for name, text in kind.programs.items()}
         with about(self.rule):
@@ -83,7 +83,7 @@ class Planted:
         compared = ' == ' in reason and '±' not in reason and 'approx(' not in reason
         return f'Compare computed numbers with pytest.approx, and a{asked}' if compared or not reason else f'A{asked}'
 
-    def _right(self, outcomes: dict[str, Outcome]) -> None:
+    def _right(self, outcomes: dict[str, TestsOutcome]) -> None:
         """Fail unless the tests pass with each right program."""
         what, said = self.subject.what, self.subject.said
         for name in (name for name in self.right if name in outcomes):  # after one that fails no other one is run

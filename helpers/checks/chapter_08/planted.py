@@ -79,7 +79,7 @@ ROBOT = Subject(PurePosixPath('delivery_robot/robot.py'), 'TEST_ROBOT', what='ro
 
 
 @dataclass(frozen=True)
-class Outcome:
+class TestsOutcome:
     """How pytest ended with one program, and what it said."""
 
     status: int
@@ -110,7 +110,7 @@ class Outcome:
 
 def judge(
     learner, right: dict[str, Program], others: dict[str, Program], subject: Subject = LIMIT, *, told: bool = False
-) -> dict[str, Outcome]:
+) -> dict[str, TestsOutcome]:
     """Run the learner's tests with each program: name → how they ended. Once in a session for the same ones.
 
     When they have not passed with a right program, no other one is run: the cause is known, and each run takes time.
@@ -166,7 +166,7 @@ def _packages_of_ros() -> frozenset[str]:
 
 def _run_functions(
     learner, programs: dict[str, Any], right: list[str], subject: Subject, tests: str
-) -> dict[str, Outcome]:
+) -> dict[str, TestsOutcome]:
     """One after the other: each takes some milliseconds."""
     module, path = subject.module, f'test/test_{subject.module.name}'
     files = {
@@ -175,7 +175,7 @@ def _run_functions(
         str(module.parent / '__init__.py'): '',
         str(module): stub(subject.function, 'Stands for the function that is tested.'),
     }
-    outcomes: dict[str, Outcome] = {}
+    outcomes: dict[str, TestsOutcome] = {}
     longest = 0.0  # seconds with a right program
     for name, text in programs.items():
         place = learner.workspace(files, alone=True)
@@ -200,14 +200,14 @@ def _run_functions(
     return outcomes
 
 
-def _is_cause(outcome: Outcome, is_right: bool) -> bool:
+def _is_cause(outcome: TestsOutcome, is_right: bool) -> bool:
     """Whether the tests can count for nothing, whatever comes of the other programs."""
     return outcome.status not in (0, 1, ENDED) or is_right and outcome.status != 0
 
 
 def _run_robots(
     learner, programs: dict[str, Any], right: list[str], subject: Subject, tests: str
-) -> dict[str, Outcome]:
+) -> dict[str, TestsOutcome]:
     """Some side by side."""
     path, random = f'test/test_{subject.module.name}', SystemRandom()  # as for the order
     pool = disguise.names(text for texts in programs.values() for text in texts.values())
@@ -250,7 +250,7 @@ def _run_robots(
                 run(waiting.pop(0))
             for name, (place, domain, task, begun) in list(running.items()):
                 if (status := task.wait(0.05)) is not None or _now() > begun + subject.limit * (4 if busy() else 1):
-                    outcomes[name] = _outcome(task, 0.0) if status is not None else Outcome(ENDED, task.output)
+                    outcomes[name] = _outcome(task, 0.0) if status is not None else TestsOutcome(ENDED, task.output)
                     place.forget()
                     free.append(domain)
                     del running[name]
@@ -265,12 +265,12 @@ def _run_robots(
     return {name: outcomes[name] for name in programs if name in outcomes}
 
 
-def _outcome(task, limit: float) -> Outcome:
+def _outcome(task, limit: float) -> TestsOutcome:
     """How the tests with one program have ended, after so many seconds at most, or more on a busy machine."""
     status = task.wait(limit)
     if status is None and busy():
         status = task.wait(3 * limit)
-    return Outcome(ENDED if status is None else status, task.output[-1200:])
+    return TestsOutcome(ENDED if status is None else status, task.output[-1200:])
 
 
 def _missing_name(said: str) -> str:

@@ -15,7 +15,7 @@ _SUNK = 0.1  # if no plane decides otherwise: this share of a part may reach thr
 
 
 @dataclass
-class Part:
+class Element:
     """One element of the picture."""
 
     element: str
@@ -26,7 +26,7 @@ class Part:
     layer: int = 0  #: higher ones are painted later, whatever the distances
 
 
-def order(parts: list[Part], view_from: np.ndarray) -> list[str]:
+def order(parts: list[Element], view_from: np.ndarray) -> list[str]:
     """Return the elements in the order in which to paint them.
 
     :param view_from: unit vector to the viewer.
@@ -36,7 +36,7 @@ def order(parts: list[Part], view_from: np.ndarray) -> list[str]:
     return [part.element for part in _by_planes(lowest) + by_distance[len(lowest) :]]
 
 
-def _by_planes(parts: list[Part]) -> list[Part]:
+def _by_planes(parts: list[Element]) -> list[Element]:
     """Order parts, which are given from far to near."""
     faces = [number for number, part in enumerate(parts) if part.normal is not None]
     if not faces or len(faces) > _MOST_FACES or len(parts) > _MOST:
@@ -69,7 +69,7 @@ def _in_ring(left: set[int], after: list[np.ndarray], waiting: np.ndarray) -> in
     return min(left, key=lambda number: (waiting[number] - sum(int(other) in left for other in after[number]), number))
 
 
-def _who_is_first(parts: list[Part], faces: list[int]) -> np.ndarray:
+def _who_is_first(parts: list[Element], faces: list[int]) -> np.ndarray:
     """Return N x N booleans: the part of the row must be painted before that of the column."""
     points = np.vstack([part.points for part in parts])
     starts = np.cumsum([0, *(len(part.points) for part in parts[:-1])])

@@ -12,7 +12,7 @@ from html import escape
 import numpy as np
 
 from helpers.show import dark_page
-from helpers.show.views.painter import Part, order
+from helpers.show.views.painter import Element, order
 from helpers.show.views.scene import Item, Scene
 from helpers.show.views.shapes import (
     BLUE,
@@ -109,7 +109,7 @@ class _ScenePicture:
     def __init__(self, items: list[Item], around, width: int, height: int, budget: int):
         self.items, self.width, self.height, self.budget = items, width, height, budget
         self.finest = 0.8 * _BUDGET / budget  # pixels between two points of a line
-        self.parts: list[Part] = []
+        self.parts: list[Element] = []
         self.walls: list[tuple] = []  # faces that hide points: corners, outline, normal
         self.boxes: list[tuple] = []  # the places that names cover
         self.marks: set[tuple] = set()  # the colours of points and lines
@@ -233,7 +233,7 @@ class _ScenePicture:
             return
         flat = self.flat(points)
         self.parts.append(
-            Part(
+            Element(
                 element if opacity >= 1 else f'<g opacity="{opacity:.2g}">{element}</g>',
                 points,
                 flat.min(axis=0) - 1,

@@ -4,7 +4,7 @@ import pytest
 
 from helpers.checks.chapter_08 import planted
 from helpers.checks.chapter_08.noticed import Kind, Planted
-from helpers.checks.chapter_08.planted import Outcome
+from helpers.checks.chapter_08.planted import TestsOutcome
 from helpers.runner import verdicts
 
 NAMED = 'FAILED test/test_limit.py::test_limit[0.6] - {}\n'
@@ -34,7 +34,7 @@ PLACED = '/home/ws/test/test_limit.py:21: {}\n'
     ],
 )
 def test_the_reason_says_what_was_compared_where_that_is_known(output, reason):
-    assert Outcome(1, output).reason == reason
+    assert TestsOutcome(1, output).reason == reason
 
 
 @pytest.mark.parametrize(
@@ -47,7 +47,7 @@ def test_the_reason_says_what_was_compared_where_that_is_known(output, reason):
     ],
 )
 def test_a_missing_name_is_explained(said, words):
-    assert words in Outcome(1, PLACED.format(said) + NAMED.format(said)).missing_name
+    assert words in TestsOutcome(1, PLACED.format(said) + NAMED.format(said)).missing_name
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 
 from helpers.exercises.notebooks import NotebookCell
 from helpers.runner import session
-from helpers.runner.mistakes import Watch
+from helpers.runner.mistakes import MistakeWatch
 from helpers.tests import small
 
 HEAD = """\
@@ -361,7 +361,7 @@ def test_a_callback_that_sleeps_is_named_first(tmp_path, line):
 def test_whoever_is_known_to_sleep_sleeps_shortly():
     """So that a check does not take minutes; what counts is how long it wanted to sleep."""
     callback = True
-    seen = Watch(lambda: callback, lambda: False, lambda frame: True)
+    seen = MistakeWatch(lambda: callback, lambda: False, lambda frame: True)
     frame, slept = sys._getframe(), []
     for _ in range(3):
         seen.sleeps(frame, 5.0)
@@ -405,7 +405,7 @@ def test_run(learner):
 
 def test_a_callback_that_always_keeps_the_processor_waits():
     """Its first run may have imported modules; and who is quick once does not wait."""
-    seen = Watch(lambda: True, lambda: False, lambda frame: True)
+    seen = MistakeWatch(lambda: True, lambda: False, lambda frame: True)
     seen.worked('tick', 0.5, 0.02)
     for seconds in (0.5, 0.001, 0.5):
         seen.worked('tock', seconds, 0.02)
@@ -446,7 +446,7 @@ def test_run(learner):
 
 def test_after_many_runs_the_limit_is_lower():
     """Of many runs the shortest tells how long the callback needs; who was quick once does not wait."""
-    seen = Watch(lambda: True, lambda: False, lambda frame: True)
+    seen = MistakeWatch(lambda: True, lambda: False, lambda frame: True)
     for run in range(30):
         seen.worked('tick', 0.001 if run == 3 else 0.01, 0.02, 0.002)
     assert seen.slept == 0.0
