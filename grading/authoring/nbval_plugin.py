@@ -75,14 +75,11 @@ def pytest_configure(config):
 
 @pytest.hookimpl(trylast=True)  # after conftest's own order, which is that of tests
 def pytest_collection_modifyitems(items):
-    """Begin with the notebooks that take longest: one that began last would run alone, with the processors idle."""
+    """Begin in an order in which no notebook is left to run alone at the end, with the processors idle."""
     last = repeated.TWICE[-1]
     twice = {item.path for item in items if item.name.endswith(f'-{last}')}
-
-    def seconds(item):
-        return repeated.SECONDS.get(item.path.name[:2], 0) * (2 if item.path in twice else 1)
-
-    items.sort(key=lambda item: -seconds(item))
+    places = {chapter: place for place, chapter in enumerate(repeated.ORDER)}
+    items.sort(key=lambda item: (item.path not in twice, places.get(item.path.name[:2], len(places))))
 
 
 @pytest.hookimpl(optionalhook=True)
