@@ -336,6 +336,26 @@ class Learner(Workspaces):
             if not name.startswith('_')
         ]
 
+    def is_in_graph(self, name: str) -> bool:
+        """Whether a node with this full name is in the graph, or comes soon."""
+
+        def there() -> bool:
+            found = self.node.get_node_names_and_namespaces()
+            return name in {f'{space.rstrip("/")}/{node}' for node, space in found}
+
+        if not there():
+            self.connect()
+        return self.wait_until(there, self.timeouts.discovery)
+
+    def published(self) -> set[str]:
+        """The topics on which the learner's programs have publishers, under whatever name of a node.
+
+        Those on which the tests conduct them are left out.
+        """
+        there = {topic for topic, _ in self.node.get_topic_names_and_types()}
+        own = f'/_{self.token}/'
+        return {topic for topic in there if not topic.startswith(own) and self.endpoints(topic).publishers}
+
     def endpoints(self, topic: str) -> wiring.Endpoints:
         """The learner's publishers and subscriptions on `topic`: node, type, qos."""
         self.connect()
@@ -366,8 +386,8 @@ class Learner(Workspaces):
         return self.command_process().ask('habits', self.timeouts.call)['contexts']
 
     def _is_foreign(self, info) -> bool:
-        # By participant, as any program may use a name. The conductor belongs to the learner's participant, too.
-        return _participant(info) != self._participant and info.node_name != f'_{self.token}'
+        # By participant, as any program may use a name, also that of the conductor: it is in the learner's process.
+        return _participant(info) != self._participant
 
     # Time and order
 

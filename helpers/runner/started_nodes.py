@@ -7,6 +7,8 @@ from helpers.runner.program_process import ProgramProcess
 if TYPE_CHECKING:
     from helpers.runner.learner import Learner
 
+UNSEEN = '(a name that nobody else sees)'
+
 
 class StartedNodes:
     """What `learner.start` gives: one process with the learner's node in it."""
@@ -17,8 +19,9 @@ class StartedNodes:
 
     @property
     def name(self) -> str:
-        """The fully qualified name of the (first) node."""
-        return self.nodes[0] if self.nodes else ''
+        """The fully qualified name of the (first) node. What its own process says counts only if the graph has it."""
+        name = self.nodes[0] if self.nodes else ''
+        return name if not name or self.learner.is_in_graph(name) else UNSEEN
 
     @property
     def output(self) -> str:

@@ -198,7 +198,7 @@ class Worker:
         return {
             'index': len(self.started) - 1,
             'endpoints': self._endpoints(),
-            'nodes': [node.get_fully_qualified_name() for node in nodes],
+            'nodes': [Node.get_fully_qualified_name(node) for node in nodes],  # whatever their own class says
             'namespaces': [seen.own_namespace(node) for node in nodes] if seen else [],
         }
 

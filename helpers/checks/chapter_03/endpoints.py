@@ -80,12 +80,7 @@ def check_lifespan(endpoint, rule: str) -> None:
 def check_nothing_else(learner, topics: set[str], rule: str) -> None:
     """The learner's nodes publish on these topics only, beside those of every node."""
     usual = {'/rosout', '/parameter_events'}
-    found = {
-        topic
-        for node, space in learner.own_nodes()
-        for topic, _ in learner.node.get_publisher_names_and_types_by_node(node, space)
-    }
-    others = ', '.join(sorted(found - topics - usual))
+    others = ', '.join(sorted(learner.published() - topics - usual))
     expect(not others, f'Your node also publishes on {others}: that is one topic too many.', rule)
 
 
