@@ -112,6 +112,11 @@ MUTANTS = [
            expect='comma? (patrol/announce.py, line 17)'),
     Mutant('message_not_declared', old='<depend>std_msgs</depend>', new='',
            expect='Your code imports std_msgs, and package.xml does not declare it', breaks='dependencies'),
+    Mutant('imported_by_a_call', edits=(('<depend>std_msgs</depend>', ''), ('from std_msgs.msg import String', """
+           from importlib import import_module
+
+           String = import_module('std_msgs.msg').String
+           """)), expect='Your code imports std_msgs, and package.xml does not declare it', breaks='dependencies'),
     Mutant('index_not_declared', old='<exec_depend>ament_index_python</exec_depend>', new='',
            expect='Your code imports ament_index_python, and', breaks='dependencies'),
     Mutant('to_build_only', old='<depend>rclpy</depend>', new='<build_depend>rclpy</build_depend>',

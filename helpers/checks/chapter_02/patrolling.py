@@ -585,7 +585,18 @@ def _imports(texts: Iterable[str]) -> set[str]:
                 found |= {alias.name.partition('.')[0] for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
                 found.add(node.module.partition('.')[0])
+            elif isinstance(node, ast.Call) and (name := _imported_by_call(node)):
+                found.add(name.partition('.')[0])
     return found
+
+
+def _imported_by_call(node: ast.Call) -> str:
+    """The module that `import_module('…')` or `__import__('…')` imports; '' if it is another call, or not known."""
+    function = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, 'id', '')
+    given = [*node.args, *(one.value for one in node.keywords if one.arg == 'name')][:1]
+    if function not in ('import_module', '__import__') or not given or not isinstance(given[0], ast.Constant):
+        return ''
+    return str(given[0].value)
 
 
 def _readable(found: dict[str, str]) -> None:
