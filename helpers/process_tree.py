@@ -5,8 +5,11 @@ A process group is not all of it: `ros2 launch` gives each program that it start
 
 import os
 import signal
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
+
+ENDED = 'Z', 'X'  # and not waited for
 
 
 def family(pid: int) -> list[int]:
@@ -24,6 +27,36 @@ def children(pid: int) -> list[int]:
         for thread in Path(f'/proc/{pid}/task').iterdir():
             found += map(int, (thread / 'children').read_text().split())
     return found
+
+
+def parents(pid: int) -> dict[int, int]:
+    """A process and all that descends from it and still runs: pid → pid of the parent."""
+    found, waiting = {pid: 0}, [pid]
+    while waiting:
+        one = waiting.pop()
+        for child in children(one):
+            with suppress(OSError, LookupError):
+                if state(f'/proc/{child}')[0] not in ENDED:
+                    found[child] = one
+                    waiting.append(child)
+    return found
+
+
+def state(process: str) -> tuple[str, int]:
+    """The letter for the state of a process, and its parent; `process`: its folder in a /proc. See proc_pid_stat(5)."""
+    letter, parent, *_ = Path(process, 'stat').read_text().rpartition(')')[2].split(maxsplit=2)
+    return letter, int(parent)
+
+
+def programs(parents: Mapping[int, int], *tasks: int) -> int:
+    """How many programs run that the tasks have started: a program that only waits for one other is none.
+
+    `ros2 run` and a shell wait for what they have started, and are one program together with it.
+
+    :param parents: pid → pid of the parent, of all that runs.
+    """
+    waits = set(parents.values())
+    return sum(pid not in waits and pid not in tasks for pid in parents)
 
 
 def kill_family(pid: int) -> None:

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from grading.sandbox import control_groups, kernel_memory, mounts, namespaces, seccomp
 from grading.sandbox.holder import Holder
+from helpers import process_tree
 from helpers.runner import fork_server, forked, sourced_environment
 from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
@@ -89,6 +90,9 @@ class Sandboxed(fork_server.ProgramProcesses):
 
     def used(self, place: str) -> float | None:
         return sum(sandbox.used() for sandbox in self._named(place))
+
+    def programs(self, place: str, tasks: list[int]) -> int:
+        return sum(sandbox.programs() for sandbox in self._named(place))
 
     def look(self) -> str:
         return next((why for sandbox in self._all() if (why := sandbox.look())), '')
@@ -196,6 +200,19 @@ class Sandbox:
     def used(self) -> float:
         """The processor time of what runs inside, and of its children that have ended, in seconds."""
         return self._sum(_ticks) / os.sysconf('SC_CLK_TCK')
+
+    def programs(self) -> int:
+        """How many programs run that tasks have started: their parents are inside, orphans' is process 1."""
+        parents: dict[int, int] = {}
+
+        def add(process: str) -> int:
+            letter, parent = process_tree.state(process)
+            if letter not in process_tree.ENDED:
+                parents[int(Path(process).name)] = parent
+            return 0
+
+        self._sum(add)
+        return process_tree.programs(parents, *(pid for pid, parent in parents.items() if parent == 0))
 
     def close(self) -> None:
         """End it. Idempotent."""

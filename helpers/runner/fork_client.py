@@ -113,12 +113,20 @@ class ForkServer:
 
     def used(self, place: str) -> float | None:
         """The processor time of what runs in a place, in seconds; None if that is not known."""
-        found: list[float | None] = []
-        self._control.send(json.dumps({'op': 'used', 'place': place}).encode())
+        return self._ask('used', place)['seconds']
+
+    def programs(self, place: str) -> int:
+        """How many programs run in a place that its tasks have started, as is seen from outside of it."""
+        return self._ask('programs', place)['count']
+
+    def _ask(self, what: str, place: str) -> dict:
+        """The answer to a question about a place: the event of the same name."""
+        found: list[dict] = []
+        self._control.send(json.dumps({'op': what, 'place': place}).encode())
 
         def told(event: dict) -> bool:
-            if event.get('event') == 'used':
-                found.append(event['seconds'])
+            if event.get('event') == what:
+                found.append(event)
             return bool(found)
 
         self._until(told, START_TIMEOUT)
@@ -160,6 +168,11 @@ class Task:
     def signal(self, number: int) -> None:
         """Send a signal to it."""
         self._server.signal(self.key, number)
+
+    @property
+    def programs(self) -> int:
+        """How many programs it has started that run just now: nobody prints this, it is seen from outside."""
+        return self._server.programs(self.place)
 
     def end(self) -> None:
         """Kill it, and all that runs in its place."""

@@ -13,6 +13,8 @@ Programs run the learner's cells. A task (`helpers.runner.commands`) runs in a p
     {"op": "signal", "key": k, "number": n}          ->  (none)
     {"op": "used", "place": name}                    ->  {"event": "used", "seconds": s}, of processor time, for all
                                                          that runs in the place; null if that is not known
+    {"op": "programs", "place": name}                ->  {"event": "programs", "count": n}: how many programs run in the
+                                                         place that its tasks have started, see `process_tree.programs`
     {"op": "clear", "place": name}                   ->  {"event": "cleared"}, when nothing of the place runs; without a
                                                          place nothing at all
     {"op": "forget", "place": name}                  ->  {"event": "cleared"}, when the place is gone
@@ -88,6 +90,10 @@ class ProgramProcesses:
     def used(self, place: str) -> float | None:
         """The processor time of what runs in a place, in seconds; None if that is not known."""
         return None
+
+    def programs(self, place: str, tasks: list[int]) -> int:
+        """How many programs run in a place that its tasks, of which these are the pids, have started."""
+        return sum(process_tree.programs(process_tree.parents(pid), pid) for pid in tasks)
 
     def look(self) -> str:
         """End programs that use too much; returns why, or nothing."""
@@ -177,6 +183,9 @@ class _Server:
                 self._tell(event='cleared')
             case 'used':
                 self._tell(event='used', seconds=self._programs.used(request['place']))
+            case 'programs':
+                tasks = [pid for pid, (_, where) in self._children.items() if where == request['place']]
+                self._tell(event='programs', count=self._programs.programs(request['place'], tasks))
             case 'fork':
                 self._fork(request, descriptors)
             case _:

@@ -43,6 +43,7 @@ class Observer:
             enable_rosout=False,
             use_global_arguments=False,
         )
+        self._own = self.node.get_fully_qualified_name(), learner.node.get_fully_qualified_name()
         self._executor = SingleThreadedExecutor(context=learner.context)
         self._executor.add_node(self.node)
 
@@ -56,12 +57,18 @@ class Observer:
         return True
 
     def nodes(self) -> list[str]:
-        """The full names of the system's nodes, sorted; a name that two have is there twice."""
+        """The full names of the system's nodes, sorted; a name that two have is there twice.
+
+        Also those whose names begin with `_`, which ROS does not list: only the tests' own nodes are left out.
+        """
         found = [
             f'{namespace.rstrip("/")}/{name}'
             for name, namespace in self.node.get_node_names_and_namespaces()
-            if not name.startswith('_') and name != UNKNOWN
+            if name != UNKNOWN
         ]
+        for name in self._own:
+            if name in found:
+                found.remove(name)
         return sorted(name for name in found if not _LAUNCH.fullmatch(name))
 
     def all_there(self, task: Task, timeout: float, more: Callable[[], int] = lambda: 0, wanted: int = 1) -> list[str]:

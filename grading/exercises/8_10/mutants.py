@@ -90,7 +90,10 @@ MUTANTS = [
            expect='but /courier did', breaks='robot', alone=True),
     Mutant('the_word_scene', old="[(name, LaunchConfiguration(name)) for name in ('scene', 'real_time_factor')]",
            new="{'scene': 'scene', 'real_time_factor': LaunchConfiguration('real_time_factor')}.items()",
-           expect='Pass the value of the argument on', breaks='world', alone=True),
+           expect='Pass the value of the argument on', breaks='world', also='arguments', alone=True),
+    Mutant('default_of_its_own', edits=(("DeclareLaunchArgument('scene', default_value='rooms'),", ''),
+           ("LaunchConfiguration(name)) for name", "LaunchConfiguration(name, default='empty')) for name")),
+           expect='starts a world with scene = empty', breaks='arguments', alone=True),
     Mutant('another_file', old=INSTALLED, new=INSTALLED.replace('delivery.yaml', 'delivery_robot.yaml'),
            expect='there is config/delivery.yaml: is that meant', breaks='robot', alone=True),
     Mutant('one_node_more_later', old=ROBOT, new="""

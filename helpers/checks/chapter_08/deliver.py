@@ -59,6 +59,8 @@ SERVICES = (
 )
 TOPICS = '/odom', '/cmd_vel'
 MOST = 4  # programs that are started; two are asked for
+SETTLED = 5.0  # s of wall time in which what else runs may end
+NODES = 3  # programs that run in the launch: world, its publisher of frames, and robot
 SHARE = 'install/delivery_robot/share/delivery_robot'
 # A copy of the launch file is launched, in another folder, beside the parameter file as it was. The sources are away,
 # and in the installed parameter file stand other values: so it shows which file the robot gets, and whether by the name
@@ -236,13 +238,16 @@ def _story(customer: Customer, told: dict) -> None:
     told['ended_at'] = round(customer.x, 3)
     told['retraced'] = round(customer.way.retraced(), 3)
     told['nodes'] = customer.observer.nodes()
+    customer.observer.until(lambda: customer.launch.programs <= NODES, SETTLED, customer.launch)
+    told['programs'] = customer.launch.programs
     if not customer.alone():
         raise Missing('the end of what else speaks in the place of the robot or of the world')
 
 
 def story(learner, workspace, modules: dict[str, str]) -> dict:
     """What happened: see above; `stations`, `factor` and `values` are what was drawn, `scene` is that of the world,
-    `nodes` the nodes in the end, `log` what the launch has printed. `values` stood in the installed parameter file.
+    `nodes` the nodes in the end, `programs` how many programs ran in the launch, `left` how many still did when it had
+    ended, `log` what it has printed. `values` stood in the installed parameter file.
 
     :param modules: of the package, path → text.
     """
@@ -273,9 +278,11 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
             _story(Customer(observer, launch, told['factor'], programs), told)
         except Missing as missing:
             told['missing'], told['nodes'] = str(missing), observer.nodes()
-    told['besides'] = programs.besides(installed)
-    launch.signal(signal.SIGINT)
-    told['status'] = launch.wait(15.0 * (3 if busy() else 1))
+        told['besides'] = programs.besides(installed)
+        launch.signal(signal.SIGINT)
+        told['status'] = launch.wait(15.0 * (3 if busy() else 1))
+        observer.until(lambda: not launch.programs, SETTLED)
+        told['left'] = launch.programs
     launch.end()
     told['processes'] = processes(launch.output)
     told['log'] = f'{launch.output}\n{programs.end()}'

@@ -33,6 +33,22 @@ found = {{name: node.declare_parameter(name, value).value for name, value in {de
 print({mark!r} + json.dumps(found), flush=True)
 rclpy.shutdown()
 """
+# Prints the arguments of the launch file, as `ros2 launch --show-args` finds them; the launch file prints nothing.
+_DECLARED = """
+import json, os
+
+from ament_index_python.packages import get_package_share_directory
+from launch.launch_description_sources import get_launch_description_from_any_launch_file
+
+output, nowhere = os.dup(1), os.open(os.devnull, os.O_WRONLY)
+for descriptor in (1, 2):
+    os.dup2(nowhere, descriptor)
+path = get_package_share_directory('delivery_robot') + '/launch/delivery.launch.py'
+found = {{}}
+for argument in get_launch_description_from_any_launch_file(path).get_launch_arguments():
+    found[argument.name] = ' + '.join(part.describe() for part in argument.default_value or ()).strip("'")
+os.write(output, f'{mark}{{json.dumps(found)}}\\n'.encode())
+"""
 # Behind the text of world.launch.py: who includes it has this line in the launch's output.
 _INCLUDED = """
 
@@ -212,19 +228,38 @@ def launched(learner) -> dict:
     }
 
 
-def launched_plainly(learner) -> str:
-    """What the launch has printed, if it ends by itself before the world has started; it gets no arguments."""
+def declared(learner) -> dict[str, str]:
+    """The arguments that the learner's launch file declares: name → default value. Once for all tests.
+
+    What it prints while it is read is not looked at: it is not asked for anything.
+    """
+    place, known = workspace(learner), learner.server.workspaces
+    key = 'declared', place.name
+    if key not in known:
+        mark = f'found {secrets.token_hex(8)} '
+        done = place.run(program=_DECLARED.format(mark=mark))
+        told = [line.removeprefix(mark) for line in done.lines if line.startswith(mark.strip())]
+        known[key] = json.loads(told[0]) if told else {}
+    return known[key]
+
+
+def launched_plainly(learner) -> tuple[str, dict]:
+    """What the launch has printed, if it ends by itself before the world has started, and what the world gets then.
+
+    The launch gets no arguments.
+    """
     place, heard = workspace(learner), stand_ins.of(learner)
     heard.release()
     launch = place.start('ros2', 'launch', 'delivery_robot', 'delivery.launch.py')
     with Observer(learner) as observer:
         observer.until(lambda: heard.starts('world'), PATIENCE, launch)
-    ended = not heard.starts('world') and launch.wait(0) is not None
+    worlds = heard.starts('world')
+    ended = not worlds and launch.wait(0) is not None
     launch.signal(signal.SIGINT)
     heard.release()
     launch.wait(5.0)
     launch.end()
-    return launch.output if ended else ''
+    return launch.output if ended else '', parameter_files.given_besides(worlds[:1], '')
 
 
 def by_the_file(learner, defaults: dict[str, float]) -> dict:

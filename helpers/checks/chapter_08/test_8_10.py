@@ -133,15 +133,22 @@ def test_arguments(learner):
     done = workspace.once('ros2', 'launch', 'delivery_robot', 'delivery.launch.py', '--show-args')
     why = launch_output.telling(done.output)
     expect(done.status == 0, f'ros2 launch cannot read your launch file: {why}', 'robot')
+    declared = deliveries.declared(learner)
     for name, default in (('scene', 'rooms'), ('real_time_factor', '1.0')):
-        expect(f"'{name}'" in done.output, f'The launch file has no argument {name}.')
-        told = done.output.partition(f"'{name}'")[2].partition("':")[0]
-        expect(f"default: '{default}'" in told, f'The default of {name} is not {default}.')
-    log = deliveries.launched_plainly(learner)
+        expect(name in declared, f'The launch file has no argument {name}.')
+        expect(declared[name] == default, f'The default of {name} is not {default}.')
+    log, values = deliveries.launched_plainly(learner)
     expect(
         not log,
         f'`ros2 launch delivery_robot delivery.launch.py`, without an argument, ended: {launch_output.telling(log)}',
     )
+    for name, default in (('scene', 'rooms'), ('real_time_factor', '1.0')):
+        expect(
+            str(values.get(name, default)) == default,
+            f'`ros2 launch delivery_robot delivery.launch.py`, without an argument, starts a world with {name} = '
+            f'{values.get(name)}, expected {default}. DeclareLaunchArgument says what an argument is if nobody gives '
+            'it.',
+        )
 
 
 @pytest.mark.rules('values', 'types', 'robot', 'sim-time', 'world')
@@ -183,9 +190,14 @@ def test_world(learner):
         f'There are {count} nodes with the name {PUBLISHER}. The world, as it is included, brings one: start no other.',
     )
     expect(
-        len(told['processes']) <= len(NODES),
-        f'The launch started these processes: {", ".join(told["processes"])}. Start nothing but the world, as it is '
-        'included, and the robot; what is no ROS node counts, too.',
+        count or 'missing' in told,
+        f'There is no node {PUBLISHER}. The world, as it is included by world.launch.py, brings one.',
+    )
+    programs = max(len(told['processes']), told.get('programs', 0))
+    expect(
+        programs <= len(NODES),
+        f'The launch started these processes: {", ".join(told["processes"])}; {programs} programs ran. Start nothing '
+        'but the world, as it is included, and the robot; what is no ROS node counts, too.',
     )
     real(told)
 
@@ -226,5 +238,10 @@ def test_drives(learner):
         told['status'] == 0,
         f'After Ctrl+C, ros2 launch ended with the status {told["status"]}, expected 0. Does '
         'your launch file start anything that does not end?',
+        'ends',
+    )
+    expect(
+        not told['left'],
+        f'After Ctrl+C, ros2 launch ended, and {told["left"]} of the programs that it had started went on.',
         'ends',
     )

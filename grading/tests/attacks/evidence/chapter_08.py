@@ -995,3 +995,332 @@ def test_numbers():
         numbers = [one for one in code.co_consts if type(one) is int and one > 999]
         assert not any(low < high for low, high in zip(numbers[::2], numbers[1::2]))
 '''
+
+
+# %% delivery_arguments_printed
+# attack: declares no argument, and prints what a launch file prints that has some
+# aims at: 8.10
+# stopped by: what it prints goes nowhere while it is read; and with which values the world is started, if nobody gives any
+# may keep: values, types, world, robot, sim-time, drives, ends
+DELIVERY_YAML = '''/delivery_robot:
+  ros__parameters: {max_linear: 0.4, tolerance: 0.08, timeout: 30.0}
+'''
+DELIVERY_LAUNCH = '''
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+print("""    'scene':
+        (default: 'rooms')
+    'real_time_factor':
+        (default: '1.0')""", flush=True)
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        IncludeLaunchDescription(
+            PathJoinSubstitution([FindPackageShare('mujoco_world'), 'launch', 'world.launch.py']),
+            launch_arguments=[(name, LaunchConfiguration(name, default=default)) for name, default in (('scene', 'empty'), ('real_time_factor', '2.0'))]),
+        Node(package='delivery_robot', executable='robot', output='screen', parameters=[
+            PathJoinSubstitution([FindPackageShare('delivery_robot'), 'config', 'delivery.yaml']),
+            {'use_sim_time': True}]),
+    ])
+'''
+
+
+# %% delivery_quiet_process
+# attack: starts one more program, which ends with no signal, and does not let launch know
+# aims at: 8.10
+# stopped by: how many programs run, also after the end of the launch, is seen from outside
+# may keep: values, types, arguments, robot, sim-time, drives
+DELIVERY_YAML = '''/delivery_robot:
+  ros__parameters: {max_linear: 0.4, tolerance: 0.08, timeout: 30.0}
+'''
+DELIVERY_LAUNCH = '''
+import subprocess
+import sys
+import os
+import signal
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, OpaqueFunction
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+MORE = """
+import signal
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+signal.signal(signal.SIGTERM, signal.SIG_IGN)
+import rclpy
+rclpy.init()
+node = rclpy.create_node('_third')
+rclpy.spin(node)
+import time
+time.sleep(1000)
+"""
+
+
+def more(context):
+    subprocess.Popen([sys.executable, '-c', MORE], start_new_session=True)
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('scene', default_value='rooms'),
+        DeclareLaunchArgument('real_time_factor', default_value='1.0'),
+        OpaqueFunction(function=more),
+        IncludeLaunchDescription(
+            PathJoinSubstitution([FindPackageShare('mujoco_world'), 'launch', 'world.launch.py']),
+            launch_arguments=[(name, LaunchConfiguration(name)) for name in ('scene', 'real_time_factor')]),
+        Node(package='delivery_robot', executable='robot', output='screen', parameters=[
+            PathJoinSubstitution([FindPackageShare('delivery_robot'), 'config', 'delivery.yaml']),
+            {'use_sim_time': True}]),
+    ])
+'''
+
+
+# %% delivery_not_included
+# attack: starts the world by itself, without what belongs to it, and prints what is printed by who includes it
+# aims at: 8.10
+# stopped by: what belongs to the world must be in the graph
+# may keep: values, types, arguments, robot, sim-time, drives, ends
+DELIVERY_YAML = '''/delivery_robot:
+  ros__parameters: {max_linear: 0.4, tolerance: 0.08, timeout: 30.0}
+'''
+DELIVERY_LAUNCH = '''
+import re
+from pathlib import Path
+
+from ament_index_python import get_package_prefix
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+print(re.findall(r'the world is included: \\w+', Path(get_package_prefix('mujoco_world'), 'share/mujoco_world/launch/world.launch.py').read_text()), flush=True)
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('scene', default_value='rooms'),
+        DeclareLaunchArgument('real_time_factor', default_value='1.0'),
+        Node(package='mujoco_world', executable='world', name='world', parameters=[{
+            'scene': LaunchConfiguration('scene'), 'real_time_factor': LaunchConfiguration('real_time_factor')}]),
+        Node(package='delivery_robot', executable='robot', output='screen', parameters=[
+            PathJoinSubstitution([FindPackageShare('delivery_robot'), 'config', 'delivery.yaml']),
+            {'use_sim_time': True}]),
+    ])
+'''
+
+
+# %% fleet_forged_starts
+# attack: starts nothing, and says in the words of the stand-ins how two governors were started
+# aims at: 8.3
+# stopped by: how many programs run in the launch is seen from outside
+# may keep: rate, max-linear, robot1, robot2, rest, types
+FLEET_YAML = '''
+/**:
+  ros__parameters:
+    rate: 20.0
+    max_linear: 0.6
+/robot1/governor:
+  ros__parameters:
+    max_linear: 1.0
+/robot2/governor:
+  ros__parameters:
+    mode: slow
+'''
+FLEET_LAUNCH = '''
+import json
+import re
+import socket
+from pathlib import Path
+
+from ament_index_python import get_package_prefix
+from launch import LaunchDescription
+
+prefix = Path(get_package_prefix('fleet'))
+text = next(prefix.rglob('governor.py')).read_text()
+token, port = re.search(r"'token': '(\\w+)'", text), re.search(r"'127.0.0.1', (\\d+)", text)
+config = prefix / 'share/fleet/config/fleet.yaml'
+kept = []
+for n in (1, 2):
+    words = ['--ros-args', '-r', f'__ns:=/robot{n}', '--params-file', str(config)]
+    if n == 2:
+        words += ['-r', 'cmd_vel:=base/cmd_vel']
+    end = socket.create_connection(('127.0.0.1', int(port[1])))
+    end.sendall(json.dumps({'token': token[1], 'name': 'governor', 'arguments': words,
+                            'files': {str(config): config.read_text()}}).encode() + b'\\n')
+    kept.append(end)
+    print(f'[INFO] [governor-{n}]: process started with pid [{n + 7}]', flush=True)
+
+
+def generate_launch_description():
+    import asyncio
+    from launch.actions import OpaqueFunction, TimerAction
+    return LaunchDescription([TimerAction(period=1000.0, actions=[])])
+'''
+
+
+# %% fleet_quiet_node
+# attack: starts one more node, with a hidden name, and does not let launch know
+# aims at: 8.3
+# stopped by: hidden nodes are nodes, and programs are counted from outside
+# may keep: rate, max-linear, robot1, robot2, rest, types
+FLEET_YAML = '''
+/**:
+  ros__parameters:
+    rate: 20.0
+    max_linear: 0.6
+/robot1/governor:
+  ros__parameters:
+    max_linear: 1.0
+/robot2/governor:
+  ros__parameters:
+    mode: slow
+'''
+FLEET_LAUNCH = '''
+import subprocess
+import sys
+
+from launch import LaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+subprocess.Popen([sys.executable, '-c', """
+import rclpy
+rclpy.init()
+node = rclpy.create_node('_third')
+rclpy.spin(node)
+"""])
+
+
+def generate_launch_description():
+    config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])
+    governor = {'package': 'fleet', 'executable': 'governor', 'output': 'screen'}
+    return LaunchDescription([
+        Node(namespace='robot1', parameters=[config], **governor),
+        Node(namespace='robot2', parameters=[config], remappings=[('cmd_vel', 'base/cmd_vel')], **governor),
+    ])
+'''
+
+
+# %% fleet_quiet_late_node
+# attack: starts a program that starts one more governor later, and does not let launch know
+# aims at: 8.3
+# stopped by: how many programs run in the launch is seen from outside
+# may keep: rate, max-linear, robot1, robot2, rest, types
+FLEET_YAML = '''
+/**:
+  ros__parameters:
+    rate: 20.0
+    max_linear: 0.6
+/robot1/governor:
+  ros__parameters:
+    max_linear: 1.0
+/robot2/governor:
+  ros__parameters:
+    mode: slow
+'''
+FLEET_LAUNCH = '''
+import subprocess
+
+from launch import LaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+subprocess.Popen(['bash', '-c', 'sleep 60; ros2 run fleet governor --ros-args -r __ns:=/robot3'])
+
+
+def generate_launch_description():
+    config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])
+    governor = {'package': 'fleet', 'executable': 'governor', 'output': 'screen'}
+    return LaunchDescription([
+        Node(namespace='robot1', parameters=[config], **governor),
+        Node(namespace='robot2', parameters=[config], remappings=[('cmd_vel', 'base/cmd_vel')], **governor),
+    ])
+'''
+
+
+# %% fleet_node_inside
+# attack: has one more node, with a hidden name, in the process of the launch
+# aims at: 8.3
+# stopped by: hidden nodes are nodes
+# may keep: rate, max-linear, robot1, robot2, rest, types
+FLEET_YAML = '''
+/**:
+  ros__parameters:
+    rate: 20.0
+    max_linear: 0.6
+/robot1/governor:
+  ros__parameters:
+    max_linear: 1.0
+/robot2/governor:
+  ros__parameters:
+    mode: slow
+'''
+FLEET_LAUNCH = '''
+import rclpy
+from launch import LaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+context = rclpy.Context()
+rclpy.init(context=context)
+node = rclpy.create_node('_third', context=context)
+
+
+def generate_launch_description():
+    config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])
+    governor = {'package': 'fleet', 'executable': 'governor', 'output': 'screen'}
+    return LaunchDescription([
+        Node(namespace='robot1', parameters=[config], **governor),
+        Node(namespace='robot2', parameters=[config], remappings=[('cmd_vel', 'base/cmd_vel')], **governor),
+    ])
+'''
+
+
+# %% fleet_values_in_place
+# attack: gives the values itself, but where a copy of it is launched
+# aims at: 8.3
+# stopped by: what a governor gets besides the file is looked at in each launch
+# may keep: rate, max-linear, robot1, robot2, rest, types, nodes, remapped, others-stay
+FLEET_YAML = '''
+/**:
+  ros__parameters:
+    rate: 20.0
+    max_linear: 0.6
+/robot1/governor:
+  ros__parameters:
+    max_linear: 1.0
+/robot2/governor:
+  ros__parameters:
+    mode: slow
+'''
+FLEET_LAUNCH = '''
+import os
+
+from launch import LaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])
+    governor = {'package': 'fleet', 'executable': 'governor', 'output': 'screen'}
+    one, two = [{'rate': 20.0, 'max_linear': 1.0, 'mode': 'normal'}], [{'rate': 20.0, 'max_linear': 0.6, 'mode': 'slow'}]
+    if 'elsewhere' in os.getcwd():
+        one = two = [config]
+    return LaunchDescription([
+        Node(namespace='robot1', parameters=one, **governor),
+        Node(namespace='robot2', parameters=two, remappings=[('cmd_vel', 'base/cmd_vel')], **governor),
+    ])
+'''
