@@ -101,10 +101,10 @@ class Beacon(Node):
 
 
 # %% speaks_besides
-# attack: says more than is asked for, by a node with a hidden name
+# attack: says more than is asked for, by a node with a hidden name; two of them do answer one message each
 # aims at: 3.2
 # stopped by: publishers are looked for by their participant
-# may keep: node, topics, qos, at-once, distances, variance, header, others, inf
+# may keep: node, topics, qos, one-each, at-once, distances, variance, header, others, inf
 from sensor_msgs.msg import Range
 
 
