@@ -8,6 +8,8 @@ ALTERNATIVES = [
         ("'/btatery: std_msgs/msg/Float32'", "'/btatery'"),
         ("'File \"panel.py\", line 54 in on_timer'", "'self.answer = self.client.call(Trigger.Request()).message'"),
     )),
+    Alternative('the_tree_of_view_frames', old="'- Translation: [-2.816, 0.000, 0.000]'",
+                new="'odom: \\n  parent: \\'base_link\\''"),
     Alternative('other_repairs', edits=(
         ("' --ros-args -p use_sim_time:=true', ''", "'use_sim_time:=true', 'use_sim_time:=false'"),
         ("'create_timer(0.5', 'create_timer(0.1'", "'create_timer(0.5', 'create_timer(1 / 10'"),

@@ -294,7 +294,14 @@ def _of_wires(names: Names) -> dict[str, list[Drawn]]:
 def _of_frames_and_clocks(names: Names) -> dict[str, list[Drawn]]:
     """Faults of the transform from odom to base_link, and of its time."""
     robot, base_link = 'robot/robot.py', names.wrong['base_link']
-    turned = (r'\[-\d+\.\d', r'base_link: -\d', r'child_frame_id\W+odom', r'(?<!child_)frame_id\W+base_link')
+    turned = (
+        r'\[-\d+\.\d',
+        r'base_link: -\d',
+        r'child_frame_id\W+odom',
+        r'(?<!child_)frame_id\W+base_link',
+        r'\bodom\W+(n\s+)?parent\W+base_link',  # of view_frames, which prints a new line as \n
+        r'\bbase_link"?\s*(→|->\s*")\s*odom',  # of a diagram
+    )
     no_clock = (
         r'use_sim_time(?!.*\b[Ff]alse\b)',
         r'\bTrue\b',
