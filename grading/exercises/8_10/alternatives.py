@@ -62,4 +62,5 @@ def generate_launch_description():
     ])
 '''
 """, alone=True),
+    Alternative('default_in_two_parts', old="default_value='1.0'", new="default_value=['1', '.0']", alone=True),
 ]

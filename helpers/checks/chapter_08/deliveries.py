@@ -46,7 +46,7 @@ for descriptor in (1, 2):
 path = get_package_share_directory('delivery_robot') + '/launch/delivery.launch.py'
 found = {{}}
 for argument in get_launch_description_from_any_launch_file(path).get_launch_arguments():
-    found[argument.name] = ' + '.join(part.describe() for part in argument.default_value or ()).strip("'")
+    found[argument.name] = ''.join(part.describe().strip("'") for part in argument.default_value or ())
 os.write(output, f'{mark}{{json.dumps(found)}}\\n'.encode())
 """
 # Behind the text of world.launch.py: who includes it has this line in the launch's output.
