@@ -74,4 +74,45 @@ class RateMonitor(Node):
         self.rate_out.publish(Float64(data=1.0 * len(self.arrived)))
         self.arrived = []
 '''),
+    Alternative('a_subscription_for_each_job', source='''
+from rclpy.duration import Duration
+from rclpy.qos import qos_profile_sensor_data
+from rclpy.time import Time
+from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Float64
+
+
+class Rates:
+    def __init__(self, node):
+        self.count = 0
+        self.publisher = node.create_publisher(Float64, 'scan_rate', 10)
+        node.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
+        node.create_timer(1.0, self.on_timer)
+
+    def on_scan(self, _):
+        self.count += 1
+
+    def on_timer(self):
+        self.publisher.publish(Float64(data=float(self.count)))
+        self.count = 0
+
+
+class Gaps:
+    def __init__(self, node, limit):
+        self.limit, self.newest = Duration(seconds=limit), None
+        self.publisher = node.create_publisher(Float64, 'scan_gap', 10)
+        node.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
+
+    def on_scan(self, scan):
+        now = Time.from_msg(scan.header.stamp)
+        if self.newest and now - self.newest > self.limit:
+            self.publisher.publish(Float64(data=(now - self.newest).nanoseconds / 1e9))
+        self.newest = max(now, self.newest or now)
+
+
+class RateMonitor(Node):
+    def __init__(self, max_gap=0.5):
+        super().__init__('rate_monitor')
+        self.parts = Rates(self), Gaps(self, max_gap)
+'''),
 ]
