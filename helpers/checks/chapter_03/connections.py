@@ -48,7 +48,9 @@ def single_pairs(random) -> list[tuple[dict, dict]]:
     for long in (round(short + random.uniform(0.001, 0.01), 4), round(random.uniform(20.0, 5000.0), 1)):
         for first, second in ((short, long), (long, short), (long, long), (0.0, 0.0), (0.0, long), (long, 0.0)):
             pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
-    for first, second in ((short + 1e-6, short), (0.0, 1e12)):  # hardly longer, and longer than any
+    plain = max(0.1, round(short, 1))  # which stays what it is when it is rounded
+    # Hardly longer, and longer than any.
+    for first, second in ((short + 1e-6, short), (plain + 1e-6, plain), (0.0, 1e12)):
         pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
     few, many = random.randint(1, 9), random.randint(100, 200)
     for one, other in ((few, many), (0, few)):  # 0: the system's default
