@@ -34,9 +34,8 @@ def check_topic(learner, kind: str, namespace: str, name: str, rule: str) -> Non
         rule,
     )
     expect(there, f'Your node has no {kind} on the topic {name}.', rule)
-    expect(
-        there == 1 or kind == 'subscription', f'Your node has {there} {kind}s on the topic {name}, expected one.', rule
-    )
+    one = there == 1 or kind == 'subscription'
+    expect(one, f'Your node has {there} {kind}s on the topic {name}, expected one.', rule)
 
 
 def check_queue(learner, kind: str, topic: str, depth: int, rule: str) -> None:

@@ -60,7 +60,7 @@ SERVICES = (
 TOPICS = '/odom', '/cmd_vel'
 MOST = 4  # programs that are started; two are asked for
 SETTLED = 5.0  # s of wall time in which what else runs may end
-NODES = 3  # programs that run in the launch: world, its publisher of frames, and robot
+RUNNING = 3  # programs that run in the launch: world, its publisher of frames, and robot
 SHARE = 'install/delivery_robot/share/delivery_robot'
 # A copy of the launch file is launched, in another folder, beside the parameter file as it was. The sources are away,
 # and in the installed parameter file stand other values: so it shows which file the robot gets, and whether by the name
@@ -238,7 +238,7 @@ def _story(customer: Customer, told: dict) -> None:
     told['ended_at'] = round(customer.x, 3)
     told['retraced'] = round(customer.way.retraced(), 3)
     told['nodes'] = customer.observer.nodes()
-    customer.observer.until(lambda: customer.launch.programs <= NODES, SETTLED, customer.launch)
+    customer.observer.until(lambda: customer.launch.programs <= RUNNING, SETTLED, customer.launch)
     told['programs'] = customer.launch.programs
     if not customer.alone():
         raise Missing('the end of what else speaks in the place of the robot or of the world')
